@@ -1,0 +1,42 @@
+# A room is a folder under surefoot/ and a static library of its own, so that the linker, too, sees which room leans on
+# which. A room of headers only becomes an interface library.
+#
+#   surefoot_room(NAME [RUNTIME] [DEPENDS room...] [LIBRARIES target...])
+#
+# RUNTIME rooms are built without exceptions; DEPENDS are rooms, LIBRARIES are third-party targets.
+function(surefoot_room name)
+  cmake_parse_arguments(ROOM "RUNTIME" "" "DEPENDS;LIBRARIES" ${ARGN})
+  set(target surefoot_${name})
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp")
+  file(GLOB headers CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.h")
+  list(TRANSFORM ROOM_DEPENDS PREPEND surefoot_)
+  if(sources)
+    add_library(${target} STATIC ${sources} ${headers})
+    set(scope PUBLIC)
+    surefoot_compile_options(${target})
+    if(ROOM_RUNTIME)
+      target_compile_options(${target} PRIVATE -fno-exceptions)
+    endif()
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_compile_features(${target} ${scope} cxx_std_20)
+  target_include_directories(${target} ${scope} "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
+                             "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+  target_link_libraries(${target} ${scope} ${ROOM_DEPENDS} ${ROOM_LIBRARIES})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME room_${name})
+  add_library(surefoot::room_${name} ALIAS ${target})
+  set_property(GLOBAL APPEND PROPERTY SUREFOOT_ROOMS ${name})
+endfunction()
+
+# Same bits with every instruction set: no contraction (DESIGN: bit-exact everywhere). -Wno-psabi silences notes about
+# vector arguments, which never cross our public headers.
+function(surefoot_compile_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wno-psabi -ffp-contract=off -fno-math-errno
+                                           $<$<BOOL:${SUREFOOT_WERROR}>:-Werror>)
+  # GCC 12 warns of impossible overlaps in std::string concatenation (GCC bug 105651).
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    target_compile_options(${target} PRIVATE -Wno-restrict)
+  endif()
+endfunction()

@@ -1,0 +1,21 @@
+#pragma once
+// Files as the tools touch them: read whole with a limit, written to a temporary file beside the target and renamed, so
+// that a failure never leaves half a file.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace surefoot {
+
+inline constexpr std::size_t k_max_file_bytes = std::size_t{2} << 30;
+
+/// The whole file. Throws Error where it is missing, not a regular file, unreadable, or larger than `limit`.
+std::string read_file(const std::filesystem::path& path, std::size_t limit = k_max_file_bytes);
+
+/// Replaces `path` by `bytes` in one step, making its folder where needed. Throws Error (folder not writable, disk
+/// full) and then leaves what was there before.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace surefoot

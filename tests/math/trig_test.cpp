@@ -1,0 +1,47 @@
+#include <surefoot/math/trig.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+TEST(Trig, sine_and_cosine_match_the_library_to_a_few_ulp) {
+    for (double x = -50; x < 50; x += 0.00731) {
+        EXPECT_NEAR(surefoot::sin(x), std::sin(x), 4e-16) << x;
+        EXPECT_NEAR(surefoot::cos(x), std::cos(x), 4e-16) << x;
+    }
+    EXPECT_NEAR(surefoot::sin(12345.678), std::sin(12345.678), 1e-12);
+}
+
+TEST(Trig, arcs_match_the_library_in_every_quadrant) {
+    for (double y = -2; y <= 2; y += 0.0173)
+        for (double x = -2; x <= 2; x += 0.0191)
+            EXPECT_NEAR(surefoot::atan2(y, x), std::atan2(y, x), 1e-15) << y << " " << x;
+    for (double x = -1; x <= 1; x += 0.001) {
+        EXPECT_NEAR(surefoot::asin(x), std::asin(x), 1e-15) << x;
+        EXPECT_NEAR(surefoot::acos(x), std::acos(x), 1e-15) << x;
+    }
+    EXPECT_EQ(surefoot::atan2(0.0, 0.0), 0.0);
+    EXPECT_DOUBLE_EQ(surefoot::atan2(0.0, -1.0), surefoot::k_pi);
+    EXPECT_DOUBLE_EQ(surefoot::atan2(-0.0, -1.0), -surefoot::k_pi);
+}
+
+TEST(Trig, arcs_of_arguments_beyond_one_are_clamped) {
+    EXPECT_DOUBLE_EQ(surefoot::acos(1.0000001), 0.0);
+    EXPECT_DOUBLE_EQ(surefoot::asin(-1.5), -surefoot::k_pi / 2);
+}
+
+TEST(Trig, exponential_and_logarithm_match_the_library) {
+    for (double x = -30; x < 30; x += 0.0173) EXPECT_NEAR(surefoot::exp(x) / std::exp(x), 1.0, 1e-15) << x;
+    for (double x = 1e-6; x < 1e6; x *= 1.013) EXPECT_NEAR(surefoot::log(x), std::log(x), 4e-15) << x;
+    EXPECT_EQ(surefoot::exp(-1000.0), 0.0);
+}
+
+TEST(Trig, wrapped_angles_lie_in_one_turn) {
+    EXPECT_NEAR(surefoot::wrap_angle(3 * surefoot::k_pi), surefoot::k_pi, 1e-12);
+    EXPECT_NEAR(surefoot::wrap_angle(-0.5), -0.5, 1e-15);
+    EXPECT_NEAR(surefoot::wrap_angle(6.5), 6.5 - 2 * surefoot::k_pi, 1e-12);
+}
+
+}  // namespace
