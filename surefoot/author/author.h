@@ -1,0 +1,42 @@
+#pragma once
+// From clips to a blend space: load, measure, cut, place, triangulate, lint, write. No manual step.
+
+#include <surefoot/author/project.h>
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+struct Motion;
+
+struct AuthorOptions {
+    std::string name;              ///< title of the report; default: the output folder's name
+    RoleOverrides role_overrides;  ///< joint names by hand
+    double unit_scale = 0;         ///< metres a file unit; 0: guess
+    /// Axis pairs to build, as "speed,turn" or "forward,lateral"; empty: as many spaces as the clips need.
+    std::vector<std::string> axes;
+    bool mannequin = true;  ///< clips are written with a skinned mannequin
+};
+
+struct AuthorResult {
+    Project project;
+    std::vector<std::string> warnings;
+    std::vector<std::string> failed;  ///< files that could not be read, with the reason
+    std::filesystem::path project_file, report_file;
+};
+
+/// Authors the clips found at `paths` (files or folders) into `folder`: clips/NAME.glb, report.html and, last,
+/// project.json. A project that is already there keeps what its user pinned. Throws Error where nothing usable is
+/// found.
+AuthorResult author_clips(std::span<const std::string> paths, const std::filesystem::path& folder,
+                          const AuthorOptions& options = {});
+
+/// The same from motions in memory (the generated default set, made clips).
+AuthorResult author_motions(std::vector<Motion> motions, const std::filesystem::path& folder,
+                            const AuthorOptions& options = {});
+
+}  // namespace surefoot

@@ -1,0 +1,90 @@
+#pragma once
+// The project file: what `author` writes, what the user may edit, and what `lint`, `walk` and `bake` read.
+//
+// JSON, versioned; files are relative to the folder of the project. Whatever a user pins (places, axis limits, rule
+// settings, locked edges, excluded clips) survives the next run of `author`. Everything else is written anew.
+
+#include <surefoot/analysis/clip_facts.h>
+#include <surefoot/author/finding.h>
+#include <surefoot/rig/roles.h>
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace surefoot {
+
+inline constexpr int k_project_version = 1;
+
+/// A place given by hand: it wins over what was measured.
+struct PinnedPlace {
+    std::string space;          ///< "facing", "lateral"
+    std::vector<float> values;  ///< in axis units, one an axis
+
+    friend bool operator==(const PinnedPlace&, const PinnedPlace&) = default;
+};
+
+struct ProjectClip {
+    std::string name;  ///< unique without regard to case, safe as a file name
+    std::string file;  ///< "clips/NAME.glb", relative to the project; empty for a clip that was left out
+    ClipFacts facts;
+
+    std::string source;                     ///< the file it came from, as the user gave it, with #NAME where needed
+    int source_first = 0, source_last = 0;  ///< frames of the source, both included
+    std::vector<std::string> provenance;    ///< what was done to it, in order: "cut from frames 120 to 184", …
+
+    std::vector<PinnedPlace> pins;
+    bool excluded = false;          ///< not part of any space
+    bool excluded_by_user = false;  ///< set by hand: it stays out
+    std::string reason;             ///< why it is excluded
+
+    friend bool operator==(const ProjectClip&, const ProjectClip&);
+};
+
+struct ProjectSpace {
+    std::string name;                              ///< "facing": (speed, turn); "lateral": (forward, lateral)
+    BlendSpace space;                              ///< in axis units
+    std::vector<int> clips;                        ///< of each sample: index into Project::clips, never an excluded one
+    bool axes_pinned = false;                      ///< the user set the limits; they are not recomputed
+    std::vector<std::array<int, 2>> locked_edges;  ///< pairs of samples that must stay joined
+
+    friend bool operator==(const ProjectSpace&, const ProjectSpace&);
+};
+
+struct Project {
+    int version = k_project_version;
+    std::string name;              ///< shown as the report's title
+    RoleOverrides roles;           ///< (role, joint) of the skeleton that all clips of the spaces share, complete
+    RoleOverrides role_overrides;  ///< set by the user, win over what is found
+    LintSettings lint;
+    std::vector<ProjectClip> clips;  ///< of the spaces first in order of name, then excluded ones
+    std::vector<ProjectSpace> spaces;
+    std::vector<Finding> findings;
+    std::vector<Placeholder> placeholders;
+    /// Keys of the file that this version does not know, as JSON text of one object; kept when saved.
+    std::string unknown;
+
+    friend bool operator==(const Project&, const Project&) = default;
+
+    /// Index of the clip of that name, or -1.
+    int find_clip(std::string_view clip) const noexcept;
+    const ProjectSpace* find_space(std::string_view space) const noexcept;
+};
+
+/// Reads and checks a project file; `path` may be the file or its folder. Throws Error naming the file and the JSON
+/// path of the offending node ("project.json: /clips/3/facts/speed_mps: …"). Keys that are not known inside a node are
+/// reported in `warnings` (those at the top level are kept).
+Project load_project(const std::filesystem::path& path, std::vector<std::string>* warnings = nullptr);
+/// The same from text; `where` names it in messages.
+Project parse_project(std::string_view json, const std::string& where, std::vector<std::string>* warnings = nullptr);
+
+/// Writes the file in one step (host/files.h).
+void save_project(const std::filesystem::path& path, const Project& project);
+std::string project_json(const Project& project);
+
+/// Findings in the shape of `surefoot lint --json`.
+std::string findings_json(const std::vector<Finding>& findings);
+
+}  // namespace surefoot
