@@ -1,6 +1,6 @@
 #pragma once
 // The runtime form of a clip: 16-bit rotations in blocks of eight joints, the few translations that move, root motion
-// and phase apart. Immutable, shared by all characters. Made by bake/pack.h, which also measures the error.
+// and phase apart. Immutable, shared by all characters. Made by bake/pack_clip.h, which also measures the error.
 
 #include <surefoot/math/transform.h>
 
@@ -21,23 +21,36 @@ struct PackedClip {
     int joint_count = 0;
     bool cyclic = false;
 
-    /// [frame][block][x8 y8 z8 w8], value = q * 32767, hemisphere-aligned to the skeleton's rest rotation.
+    /// [frame][block][x8 y8 z8 w8], value = q * 32767. Each joint is continuous over the clip and, as long as it stays
+    /// within half a revolution of it, on the hemisphere of the skeleton's rest rotation.
     std::vector<std::int16_t> rotations;
+    /// One flag a block (empty: none is set): some joint in it turns more than half a revolution from rest, so that
+    /// its signs have to be tested when it is blended with another clip.
+    std::vector<std::uint8_t> turning_blocks;
     /// Joints whose translation differs from rest somewhere in the clip, ascending; the others are at rest.
     std::vector<std::int16_t> moving;
     /// [frame][moving joint] metres.
     std::vector<Vec3> translations;
 
-    /// [frame] relative to the first frame; within the clip continuous, over the cycle it accumulates `travel`.
+    /// [frame] relative to the first frame; within the clip continuous, over the cycle it accumulates `travel`. Clips
+    /// packed for blending move steadily: root[f] is `velocity` and `turn_rate` integrated over f / fps, exactly, and
+    /// what the actor did beside that (a breath of speed within the step) is in the pose.
     std::vector<RootFrame> root;
-    RootFrame travel;  ///< root of the last frame seen from the first: what one pass adds
+    RootFrame travel;     ///< root of the last frame seen from the first: what one pass adds
+    Vec3 velocity;        ///< [m/s] of the root, in the root's own frame
+    float turn_rate = 0;  ///< [rad/s] of the root, positive to the left
 
-    /// Foot strikes in clip phase: pairs of (time share in [0,1], phase in [0,1]), ascending, that map time to phase
-    /// piecewise linearly; phase 0 is a left foot strike. Empty for acyclic clips.
+    /// Foot strikes: pairs of (time share in [0, 1], phase), both ascending, that map time to phase piecewise linearly.
+    /// Phase counts cycles of two steps and is 0 (mod 1) at a left strike and 0.5 at a right one; the first pair is
+    /// (0, phase of the first frame, in [0, 1)), the last (1, that plus `cycles`). Empty where there are no steps.
     std::vector<std::array<float, 2>> phase_map;
+    int cycles = 0;  ///< cycles of two steps in the clip, 0 without a phase map
 
     int block_count() const noexcept { return (joint_count + k_lanes - 1) / k_lanes; }
     float duration() const noexcept { return static_cast<float>(frame_count - 1) / fps; }
 };
+
+/// What is wrong with a packed clip (empty: nothing): array lengths, limits, order of the phase map.
+std::string problem(const PackedClip& clip);
 
 }  // namespace surefoot

@@ -1,0 +1,38 @@
+#pragma once
+// A project becomes a character: its clips packed, its blend spaces joined to them, its legs measured.
+
+#include <surefoot/author/project.h>
+#include <surefoot/bake/pack_clip.h>
+#include <surefoot/graph/locomotion.h>
+#include <surefoot/rig/leg.h>
+
+#include <filesystem>
+#include <memory>
+#include <span>
+
+namespace surefoot {
+
+struct AnalyzedClip;
+
+/// All that a runtime and its host need, plus what was learnt on the way.
+struct Character {
+    std::string name;
+    std::shared_ptr<const Skeleton> skeleton;
+    RoleMap roles;
+    Legs legs;
+    float hip_height = 0;  ///< [m] of the standing character
+    LocomotionGraph graph;
+    std::vector<ClipFacts> facts;     ///< of graph.clips, in the same order
+    std::vector<PackReport> packing;  ///< the same
+    std::vector<std::string> warnings;
+};
+
+/// Loads the project's clips (those of its spaces) from `folder`, which holds the project file, and bakes them. Throws
+/// Error where a clip is missing, does not fit the skeleton, or the project has no space.
+Character bake_character(const Project& project, const std::filesystem::path& folder);
+
+/// The same from clips in memory; the spaces' `clips` index into `clips`.
+Character bake_character(std::span<const AnalyzedClip> clips, std::span<const ProjectSpace> spaces,
+                         const std::string& name = {});
+
+}  // namespace surefoot

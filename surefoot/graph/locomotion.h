@@ -1,0 +1,120 @@
+#pragma once
+// A character that goes where it is told: blend spaces over speed, turn and sideways speed in, leaves to blend and
+// root motion out.
+//
+// The graph is immutable and shared by all characters of its kind; a character is one LocomotionState, a few bytes
+// that are saved, restored and rolled back by copying them. Each frame:
+//
+//     LocomotionFrame f = update(graph, state, {.speed = 1.4f, .turn = 30.0f}, dt);
+//     world_root = world_root * f.root_delta;
+//     pose(graph, f, locals);                       // then foot placement, then local_to_model
+//
+// What it promises: within the hull of the spaces the root moves with exactly the velocity and turn rate asked for;
+// cyclic leaves share one phase, whose rate makes the blended feet move as fast as the root does (see
+// graph/README.md), so blending adds no skate; a lone clip plays as recorded.
+
+#include <surefoot/clip/sample.h>
+#include <surefoot/space/blend_space.h>
+
+#include <memory>
+#include <type_traits>
+
+namespace surefoot {
+
+/// How a character should move, in its own frame. Steps in it are steps in the pose: smooth it (`approach`).
+struct LocomotionRequest {
+    float speed = 0;    ///< [m/s] along its facing, negative backward
+    float turn = 0;     ///< [deg/s] positive to its left
+    float lateral = 0;  ///< [m/s] sideways, positive to its left
+};
+
+/// Moves `current` towards `wanted` by at most these rates; a host's simplest steering filter.
+struct RequestRates {
+    float acceleration = 2.5f;         ///< [m/s^2] for speed and lateral together
+    float turn_acceleration = 240.0f;  ///< [deg/s^2]
+};
+LocomotionRequest approach(const LocomotionRequest& current, const LocomotionRequest& wanted, float dt,
+                           const RequestRates& rates = {}) noexcept;
+
+/// What of a request an axis of a space reads.
+enum class RequestAxis : std::uint8_t { none, speed, turn, forward, lateral };
+
+/// A blend space whose samples are clips.
+struct LocomotionSpace {
+    BlendSpace space;
+    std::vector<std::int32_t> clips;  ///< of each sample: index into LocomotionGraph::clips
+    std::vector<Vec3> velocities;     ///< [m/s] of each sample's root: what its place in the space declares
+    std::vector<float> turns;         ///< [rad/s] the same
+    std::array<RequestAxis, k_max_dimensions> axes{};
+    bool has_turn = false;  ///< some axis is the turn; if none is, the turn asked for is passed through to the root
+
+    bool empty() const noexcept { return space.samples.empty(); }
+};
+
+struct LocomotionGraph {
+    std::shared_ptr<const Skeleton> skeleton;
+    std::vector<PackedClip> clips;
+    LocomotionSpace facing;   ///< (speed, turn), or one of them
+    LocomotionSpace lateral;  ///< (forward, lateral), or one of them; may be empty
+    /// Folded travel angle [rad, 0 ahead, pi/2 sideways] of the lateral space's sample nearest to ahead (or to
+    /// behind) in each quadrant: left ahead, right ahead, left behind, right behind.
+    std::array<float, 4> side_travel{};
+};
+
+/// A space before it is joined with its clips: axes named "speed", "turn", "forward" or "lateral".
+struct SpaceDefinition {
+    BlendSpace space;
+    std::vector<std::int32_t> clips;
+};
+/// Builds a graph; at least one of the spaces has samples. Check it with `problem` before use.
+LocomotionGraph make_locomotion_graph(std::shared_ptr<const Skeleton> skeleton, std::vector<PackedClip> clips,
+                                      SpaceDefinition facing, SpaceDefinition lateral);
+/// What is wrong with a graph, as a sentence; empty: nothing, and then update and pose cannot fail.
+std::string problem(const LocomotionGraph& graph);
+
+/// All that a character remembers.
+struct LocomotionState {
+    double clock = 0;              ///< [s] time of clips without steps (idles)
+    float phase = 0;               ///< [0, 1) of the shared cycle; 0 is a left foot strike
+    std::uint32_t cycle = 0;       ///< full cycles so far, for clips of several
+    std::int32_t facing_hint = 0;  ///< last simplex of each space
+    std::int32_t lateral_hint = 0;
+
+    friend bool operator==(const LocomotionState&, const LocomotionState&) = default;
+};
+static_assert(std::is_trivially_copyable_v<LocomotionState> && sizeof(LocomotionState) <= 512);
+static_assert(sizeof(LocomotionState) == 24, "no padding: states may be compared and hashed as bytes");
+
+/// At most dimensions + 1 leaves from each of the two spaces.
+inline constexpr int k_max_locomotion_leaves = 2 * (k_max_dimensions + 1);
+static_assert(k_max_locomotion_leaves <= k_max_leaves);
+
+struct LocomotionFrame {
+    std::array<Leaf, k_max_locomotion_leaves> leaf{};  ///< the first `leaf_count`; weights > 0 that add up to 1
+    int leaf_count = 0;
+    RootFrame root_delta;   ///< this frame's root motion seen from the root before it
+    Vec3 velocity;          ///< [m/s] of the root in its own frame: what was obtained
+    float turn = 0;         ///< [deg/s] the same
+    float phase = 0;        ///< [0, 1) after the step
+    float phase_rate = 0;   ///< [cycles/s]
+    bool stepping = false;  ///< some leaf has steps (else phase stands still)
+    bool clamped = false;   ///< the request lay outside what the clips cover
+
+    std::span<const Leaf> leaves() const noexcept { return {leaf.data(), static_cast<std::size_t>(leaf_count)}; }
+};
+
+/// Advances a character by `dt` >= 0 seconds. The leaves are for the end of the step.
+LocomotionFrame update(const LocomotionGraph& graph, LocomotionState& state, const LocomotionRequest& request,
+                       float dt) noexcept;
+
+/// The frame's local pose: joint_count() transforms, the root at the origin, facing +Z.
+void pose(const LocomotionGraph& graph, std::span<const Leaf> leaves, std::span<Transform> locals) noexcept;
+inline void pose(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<Transform> locals) noexcept {
+    pose(graph, frame.leaves(), locals);
+}
+
+/// Steady motion for a time: the root frame reached from the origin by a constant velocity in the root's own frame and
+/// a constant turn rate [rad/s].
+RootFrame integrate(Vec3 velocity, float turn_rate, float seconds) noexcept;
+
+}  // namespace surefoot
