@@ -1,0 +1,37 @@
+# The front door. Every target first installs the Debian packages that are missing (scripts/setup.sh: silent and
+# offline when nothing is), then leaves the work to CMake; see CMakePresets.json for the builds behind it.
+
+.DEFAULT_GOAL := help
+.PHONY: help build test demo bench studio clean
+
+CMAKE_OPTIONS ?=
+
+help: ## this list
+	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 18
+
+build: ## the program: build/release/surefoot
+	@scripts/setup.sh build
+	cmake --preset release -DSUREFOOT_BUILD_TESTS=OFF $(CMAKE_OPTIONS)
+	cmake --build --preset release
+	@echo "the program is build/release/surefoot"
+
+test: ## build everything and run every test
+	@scripts/setup.sh build test
+	cmake --preset release -DSUREFOOT_BUILD_TESTS=ON $(CMAKE_OPTIONS)
+	cmake --build --preset release
+	@scripts/test.sh release
+
+demo: build ## the main job on the built-in character: blend space, report, a walk over hills; needs no clips
+	@scripts/demo.sh build/release/surefoot out/demo
+
+bench: ## build and run the benchmarks
+	@scripts/setup.sh build bench
+	cmake --preset release -DSUREFOOT_BUILD_BENCH=ON $(CMAKE_OPTIONS)
+	cmake --build --preset release
+	@scripts/bench.sh build/release
+
+studio: ## (later) the web studio
+	@echo "make studio: the studio arrives with a later release; nothing was built" >&2; exit 1
+
+clean: ## remove what was built
+	rm -rf build out
