@@ -1,0 +1,54 @@
+#pragma once
+// Edits of whole clips. All keep the skeleton; none needs root motion to be extracted, and all keep it consistent where
+// it is.
+
+#include <surefoot/motion/motion.h>
+#include <surefoot/rig/roles.h>
+
+namespace surefoot {
+
+/// Frames first_frame to last_frame inclusive (clamped to the clip; at least one frame remains). The result is not
+/// marked cyclic unless it is the whole clip. Root frames are kept as they are; see start_at_origin.
+Motion cut(const Motion& motion, int first_frame, int last_frame);
+
+/// Moves and turns the clip so that its first root frame is at the origin facing +Z (its height is kept).
+void start_at_origin(Motion& motion);
+
+/// Left and right exchanged: world positions are reflected in the plane x = 0. Joints are paired by role, then by the
+/// side in their names, the rest with themselves. Exact where the skeleton's rest pose is symmetric; else each side
+/// keeps its own bone lengths and takes the other's reflected rotations. Mirroring twice gives the clip back.
+Motion mirror(const Motion& motion, const RoleMap& roles);
+
+/// Partner of each joint under mirroring (itself for joints on the middle line): by role, then by name.
+std::vector<int> mirror_pairs(const Skeleton& skeleton, const RoleMap& roles);
+
+/// The clip played backwards; root motion runs backwards too and starts where it started. Cyclic stays cyclic.
+Motion reverse(const Motion& motion);
+
+/// The same clip at another frame rate [Limit: > 0]: slerp of rotations, linear translations and root frames.
+/// Duration is kept: a clip whose duration is no whole number of new frames gets the nearest count and a rate that
+/// differs accordingly (never by more than half a frame).
+Motion resample(const Motion& motion, float fps);
+
+/// Pose and root between frames: `time` in seconds from the first frame, clamped (cyclic clips wrap, travel added).
+void sample(const Motion& motion, float time, RootFrame& root, std::span<Transform> locals);
+
+struct LoopClosing {
+    float seam = 0;        ///< [m] largest joint position mismatch, first to last frame, in root space, as it was
+    float seam_speed = 0;  ///< [m/s] largest joint velocity mismatch there, in root space, as it was
+    float added = 0;       ///< [m] largest displacement of a joint in root space that closing added in any frame
+};
+
+/// What close_loop would report as seam and seam_speed, without changing anything.
+LoopClosing measure_seam(const Motion& motion);
+
+/// Makes first and last pose equal (relative to the root) by spreading half of each mismatch over either half of the
+/// cycle, rotations by rotation vectors, translations linearly; sets `cyclic`. Needs extracted root motion: what
+/// travels must be in the root frames. Root frames are not changed.
+LoopClosing close_loop(Motion& motion);
+
+/// Clips of one skeleton and frame rate one after the other: each starts at the root frame where the last one ended
+/// (its first frame replaces the last frame before it). Needs at least one.
+Motion concatenate(std::span<const Motion> parts);
+
+}  // namespace surefoot
