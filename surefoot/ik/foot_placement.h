@@ -1,0 +1,162 @@
+#pragma once
+// Feet on uneven ground, for clips made on flat ground.
+//
+// A frame goes like this: the host samples its pose, runs it to model space, and hands the legs (`read_legs`) with the
+// world root to `place_feet`. The answer is a vertical offset of the hips and the local rotations of two legs, which
+// `apply` writes into the pose; one local-to-model pass later the character stands on the ground.
+//
+// Three modes:
+//   none        the root is put on the ground under it, the legs stay as animated
+//   colvin2013  Colvin & Kajala 2013, §IV.B, the five steps as printed
+//   surefoot    each plant is one rigid transform of the whole foot onto a foothold; swings clear the ground; the hips
+//               follow the footholds and never ask for more than a leg has (docs/feet.md)
+//
+// Mode `surefoot` looks about a second ahead through `LegPreview`: the host answers with the legs as they will be,
+// un-placed, if steering stays as it is (copy the locomotion state, advance the copy). Footholds and swings are planned
+// once a step; where steering has moved a coming foothold they are planned anew, and position and velocity go on
+// without a jump. On flat ground nothing changes at all.
+//
+// State is one trivially copyable block: saving and rolling back is memcpy. No call allocates or throws.
+
+#include <surefoot/ground/ground.h>
+#include <surefoot/rig/leg.h>
+
+#include <array>
+#include <memory>
+#include <span>
+
+namespace surefoot {
+
+enum class FootMode : std::uint8_t { none, colvin2013, surefoot };
+
+/// "none", "colvin2013", "surefoot".
+const char* foot_mode_name(FootMode mode) noexcept;
+
+struct FootSettings {
+    FootMode mode = FootMode::surefoot;
+    float reach = 0.975f;      ///< share of a leg's length that the hips leave it, where the clip does not ask more
+    float hip_window = 0.35f;  ///< [s] over which the hips give way to a leg that would be too short
+    float hip_stiffness = 8;   ///< [1/s] of the critically damped spring on the footholds' heights
+    float swing_clearance =
+        0.02f;                    ///< [m] at most, between a swinging sole and the ground; less where the clip has less
+    float search_along = 0.16f;   ///< [m] how far a foothold may move along the foot to find firmer ground
+    float search_across = 0.06f;  ///< [m] and to its sides
+    float ground_up = 1.5f;       ///< [m] how far above and below the root's height ground is looked for
+    float ground_down = 2.5f;
+};
+
+/// Model-space joints of one leg, and the world rotations its local rotations are relative to.
+struct LegPose {
+    Transform upper, lower, foot, toes;  ///< [m] relative to the root; toes = foot where there is no toe joint
+    Quat upper_parent, lower_parent, foot_parent;
+};
+
+struct LegsPose {
+    std::array<LegPose, 2> side;  ///< by Side
+};
+
+/// Supplied by the host: what the legs will do. `ahead` are seconds from now, ascending. Answers the un-placed legs and
+/// the world root at each of them; must not allocate.
+class LegPreview {
+  public:
+    virtual ~LegPreview() = default;
+    virtual void sample(std::span<const float> ahead, std::span<LegsPose> legs,
+                        std::span<RootFrame> roots) const noexcept = 0;
+};
+
+/// Everything that is the same for all characters of one kind. Immutable; made once.
+struct FootRig {
+    Legs legs;
+    FootSettings settings;
+    std::array<Vec3, 2> knee_forward;            ///< in the thigh's frame: where a straight knee would bend to
+    std::array<std::int16_t, 2> upper_parent{};  ///< joints, or k_no_joint
+    std::array<std::int16_t, 2> lower_parent{}, foot_parent{};
+    int hips_parent = k_no_joint;
+    std::shared_ptr<const struct SwingSolver> solver;  ///< the swing programme's constant matrices
+};
+
+/// `standing` is the pose, in model space, that `legs` was made from: it tells where knees bend to.
+FootRig make_foot_rig(const Skeleton& skeleton, const Legs& legs, std::span<const Transform> standing,
+                      const FootSettings& settings = {});
+
+/// The legs of a pose in model space (joint_count() transforms).
+LegsPose read_legs(const FootRig& rig, std::span<const Transform> models) noexcept;
+
+/// One rigid transform for a whole stance: T(p) = foothold + (v - v_c) + tilt v_c with v = p - centre. |v_c| is |v|
+/// near the plant and saturates, so that a foot far from its plant is not swung about it.
+struct Plant {
+    Vec3 centre;    ///< [m] world: middle of heel and ball in the clip, on flat ground (y = 0)
+    Vec3 foothold;  ///< [m] world: where that point goes
+    Quat tilt;      ///< flat ground to the ground there
+};
+Vec3 planted(const Plant& plant, Vec3 point) noexcept;
+
+/// The hump of a swing, added to the blend of its two plants: a cubic B-spline that is 0 with slope 0 at both ends.
+inline constexpr int k_hump_free = 10;  ///< its free coefficients
+struct Hump {
+    std::array<float, k_hump_free> coefficients{};
+};
+
+struct FootState {
+    Plant plant, next;  ///< the one it stands on or left last, and the one to come
+    bool swinging = false;
+    bool has_next = false;
+    double lift = 0, strike = 0;  ///< [s] on the state's clock; of the coming or running swing
+    double hump_from = 0;         ///< [s] where the hump begins: lift, or the time of replanning
+    Hump hump;
+    Vec3 hump_value;  ///< vertical [m], its rate [m/s] left over at hump_from, and unused
+    // What replanning left over, fading out by the strike: it keeps position and velocity continuous.
+    double fade_from = 0, fade_to = 0;
+    Vec3 fade_offset, fade_rate;  ///< [m], [m/s]
+    Vec3 fade_turn;               ///< [rad] rotation vector
+};
+
+inline constexpr int k_reach_slots = 40;  ///< at 30 a second: the past and future that the hips' filter needs
+inline constexpr int k_step_slots = 8;
+
+/// A character's feet. Zero-initialised is "not started"; a teleport resets to that.
+struct FootPlacementState {
+    bool started = false;
+    double clock = 0;       ///< [s] since the start
+    double next_plan = 0;   ///< [s] plan at the latest then
+    double next_check = 0;  ///< [s] look at the coming foothold again then
+    std::array<FootState, 2> feet;
+    float base = 0, base_rate = 0;             ///< [m], [m/s] hips' base height: a spring on the footholds
+    std::int64_t reach_slot = 0;               ///< slot number of reach[0]'s time, ring otherwise
+    std::array<float, k_reach_slots> reach{};  ///< [m] by how much a leg is too short for the base (<= 0), ring by slot
+    struct Step {
+        float time = 0, height = 0;  ///< [s] after `clock_of_steps`, [m]
+    };
+    std::array<Step, k_step_slots> steps{};  ///< mid-stances, past and to come, ascending
+    int step_count = 0;
+    double clock_of_steps = 0;
+    int plans = 0;  ///< how often it planned, for tests and profiling
+};
+
+struct FootInput {
+    float dt = 0;           ///< [s] since the last call; 0 at the first
+    RootFrame root;         ///< world; y is where ground is looked for, and what hips_offset is relative to
+    LegsPose legs;          ///< un-placed
+    bool teleport = false;  ///< forget everything: the character was moved by hand
+};
+
+struct FootOutput {
+    float hips_offset = 0;  ///< [m] to add to the hips' model-space height (root.position.y stays as passed in)
+    struct LegRotations {
+        Quat upper, lower, foot;  ///< new local rotations
+    };
+    std::array<LegRotations, 2> leg;
+    std::array<bool, 2> planted{};    ///< stands on its foothold
+    std::array<bool, 2> pulled_in{};  ///< could not reach its target
+};
+
+/// One frame. `preview` may be null for the modes none and colvin2013.
+void place_feet(const FootRig& rig, FootPlacementState& state, const FootInput& input, const Ground& ground,
+                const LegPreview* preview, FootOutput& output) noexcept;
+
+/// Writes an output into a pose: the hips' translation and the legs' rotations. `models` is the un-placed pose in
+/// model space that the legs were read from; only the hips' parent is read from it.
+void apply(const FootRig& rig, const FootOutput& output, std::span<const Transform> models,
+           std::span<Transform> locals) noexcept;
+
+}  // namespace surefoot
