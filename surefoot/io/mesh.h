@@ -1,0 +1,33 @@
+#pragma once
+// Meshes as they are written to glTF.
+
+#include <surefoot/math/vec.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// A skinned mesh, in model space, bound to the skeleton's rest pose. Arrays of equal length; `indices` are triangles,
+/// counter-clockwise from outside.
+struct Mesh {
+    std::vector<Vec3> positions;                       ///< [m]
+    std::vector<Vec3> normals;                         ///< unit
+    std::vector<std::array<std::uint16_t, 4>> joints;  ///< indices of skeleton joints
+    std::vector<std::array<float, 4>> weights;         ///< sum to 1; unused ones are 0
+    std::vector<std::uint32_t> indices;
+};
+
+/// A mesh that does not move, in world space: a terrain, a marker.
+struct StaticMesh {
+    std::string name;             ///< of its node
+    std::vector<Vec3> positions;  ///< [m]
+    std::vector<Vec3> normals;    ///< unit; empty: computed flat per vertex from the triangles
+    std::vector<std::uint32_t> indices;
+    std::array<float, 4> color{0.6f, 0.6f, 0.6f, 1};  ///< linear RGBA of the whole
+    std::vector<std::array<float, 4>> vertex_colors;  ///< linear RGBA, multiplied with `color`; empty: none
+};
+
+}  // namespace surefoot
