@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 build_packages=(g++ cmake ninja-build nlohmann-json3-dev libcli11-dev libfmt-dev libtinygltf-dev libfast-float-dev
-                libassimp-dev libtbb-dev)
+                libassimp-dev zlib1g-dev libtbb-dev) # assimp's CMake package names zlib, its Debian package forgets it
 test_packages=(libgtest-dev libqhull-dev)
 bench_packages=(libbenchmark-dev)
 ci_packages=(clang-format emscripten)
