@@ -1,0 +1,157 @@
+#include <surefoot/ik/two_bone.h>
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr float k_short = 1e-6f;       // [m] below this, two points count as one
+constexpr float k_fold_share = 0.05f;  // a leg folds no further than to this share of its length
+
+/// The part of v perpendicular to the unit vector u.
+Vec3 perpendicular(Vec3 v, Vec3 u) noexcept { return v - u * dot(v, u); }
+
+Vec3 any_perpendicular(Vec3 u) noexcept {
+    return normalized(perpendicular(std::fabs(u.z) < 0.9f ? Vec3{0, 0, 1} : Vec3{1, 0, 0}, u));
+}
+
+/// Cosine at the side `a` of the triangle (a, b, c), between a and c.
+float triangle_cosine(float a, float b, float c) noexcept {
+    const float below = 2 * a * c;
+    return below > 1e-12f ? std::clamp((a * a + c * c - b * b) / below, -1.0f, 1.0f) : 1.0f;
+}
+
+/// Where the knee stands off the line hip -> ankle. The animated knee's offset is kept as far as it goes; what the knee
+/// bends beyond that it bends towards `knee_forward`, which says more than the noise of a nearly straight leg.
+Vec3 knee_direction(const TwoBone& leg, Quat swing, Vec3 along, float offset) noexcept {
+    const Vec3 animated_line = normalized(leg.ankle - leg.hip);
+    const Vec3 animated = perpendicular(leg.knee - leg.hip, animated_line);
+    const float animated_offset = length(animated);
+    const Vec3 own = perpendicular(rotate(swing, animated), along);
+    if (offset <= animated_offset && animated_offset > k_short) return normalized(own, any_perpendicular(along));
+    const Vec3 forward = perpendicular(rotate(swing, leg.knee_forward), along);
+    const Vec3 sum = own + normalized(forward, {0, 0, 0}) * (offset - animated_offset);
+    return normalized(sum, any_perpendicular(along));
+}
+
+}  // namespace
+
+float soft_limit(float distance, float length, float share, float free) noexcept {
+    const float start = std::max(length * share, std::min(free, length));
+    if (distance <= start) return distance;
+    const float room = length - start;
+    if (room <= 1e-7f * length) return start;
+    // start + room * x / (1 + x): slope 1 at the start, never reaching the length
+    const float x = (distance - start) / room;
+    return start + room * x / (1 + x);
+}
+
+Quat carry_swing(Vec3 hip, Vec3 ankle, Vec3 target) noexcept {
+    const Vec3 from = ankle - hip, to = target - hip;
+    if (length(from) < k_short || length(to) < k_short) return {};
+    return rotation_between(from, to);
+}
+
+TwoBoneResult solve_two_bone(const TwoBone& leg) noexcept {
+    TwoBoneResult result;
+    result.knee = leg.knee;
+    result.ankle = leg.ankle;
+    const float upper = distance(leg.hip, leg.knee), lower = distance(leg.knee, leg.ankle);
+    const float length = upper + lower;
+    if (!(length > k_short) || !is_finite(leg.target)) return result;
+    const float animated = distance(leg.hip, leg.ankle), wanted = distance(leg.hip, leg.target);
+    if (distance(leg.ankle, leg.target) <= 1e-7f * length) return result;
+
+    const float shortest = std::max(std::fabs(upper - lower), k_fold_share * length);
+    const float reach = std::clamp(soft_limit(wanted, length, leg.soft_extension, animated),
+                                   std::min(shortest, std::max(animated, k_short)), length);
+    result.pulled_in = wanted > length;
+    // A target on the hip itself gives no direction: keep the animated one.
+    const Vec3 animated_line = normalized(leg.ankle - leg.hip, {0, -1, 0});
+    const Vec3 along = wanted > k_short ? (leg.target - leg.hip) / wanted : animated_line;
+    const Quat swing = animated > k_short ? rotation_between(animated_line, along) : Quat{};
+
+    const float cosine = triangle_cosine(upper, lower, reach);
+    const float offset = upper * std::sqrt(std::max(0.0f, 1 - cosine * cosine));
+    const Vec3 aside = knee_direction(leg, swing, along, offset);
+    result.knee = leg.hip + along * (upper * cosine) + aside * offset;
+    result.ankle = leg.hip + along * reach;
+
+    const Vec3 thigh = rotate(swing, leg.knee - leg.hip), calf = rotate(swing, leg.ankle - leg.knee);
+    result.upper = upper > k_short ? rotation_between(thigh, result.knee - leg.hip) * swing : swing;
+    result.lower = lower > k_short ? rotation_between(calf, result.ankle - result.knee) * swing : swing;
+    return result;
+}
+
+// --- Colvin & Kajala 2013, §IV.B
+
+float colvin_step2_lower_root(Vec3 hip, Vec3 target, float length) noexcept {
+    if (distance(hip, target) <= length) return 0;
+    const float across = planar_length(target - hip);
+    const float rise = across < length ? std::sqrt(length * length - across * across) : 0.0f;
+    return std::min(0.0f, target.y + rise - hip.y);
+}
+
+float colvin_step3_knee_angle(float upper, float lower, float distance) noexcept {
+    const float below = 2 * upper * lower;
+    return below > 0 ? acos((upper * upper + lower * lower - distance * distance) / below) : 0.0f;
+}
+
+ColvinLeg colvin_step3_preset(float upper, float lower, float knee_angle, Vec3 forward) noexcept {
+    const Vec3 ahead = normalized(forward);
+    const Vec3 down = normalized(perpendicular({0, -1, 0}, ahead), any_perpendicular(ahead));
+    ColvinLeg leg;
+    leg.knee = ahead * upper;
+    // The calf turns back from the thigh's own line by pi - angle, downwards.
+    leg.ankle = leg.knee + (ahead * -cos(knee_angle) + down * sin(knee_angle)) * lower;
+    return leg;
+}
+
+Quat colvin_step4_swing(Vec3 posed, Vec3 target) noexcept {
+    const Vec3 from = normalized(posed), to = normalized(target);
+    const Vec3 axis = cross(from, to);
+    if (length_squared(axis) < 1e-14f)  // parallel: nothing to turn; opposite: any axis (what the 90 degrees prevent)
+        return dot(from, to) > 0 ? Quat{} : axis_angle(any_perpendicular(from), static_cast<float>(k_pi));
+    return axis_angle(normalized(axis), acos(std::clamp(dot(from, to), -1.0f, 1.0f)));
+}
+
+float colvin_step5_twist(Vec3 n, Vec3 c, Vec3 a) noexcept {
+    return atan2(dot(n, cross(c, a)), dot(c, a) - dot(n, c) * dot(n, a));
+}
+
+TwoBoneResult solve_colvin(const ColvinInput& leg) noexcept {
+    TwoBoneResult result;
+    result.knee = leg.knee;
+    result.ankle = leg.ankle;
+    const float upper = distance(leg.hip, leg.knee), lower = distance(leg.knee, leg.ankle);
+    const float wanted = distance(leg.hip, leg.target);
+    if (upper < k_short || lower < k_short || wanted < k_short || !is_finite(leg.target)) return result;
+    result.pulled_in = wanted > upper + lower;
+
+    const float angle = colvin_step3_knee_angle(upper, lower, wanted);
+    const ColvinLeg posed = colvin_step3_preset(upper, lower, angle, leg.forward);
+    const Vec3 line = leg.target - leg.hip;
+    const Quat swing = colvin_step4_swing(posed.ankle, line);
+    const Vec3 axis = line / wanted;
+
+    // The posed thigh's perpendicular: in the plane of the leg, on the side to which the knee bends, which is up.
+    const Vec3 thigh = normalized(posed.knee);
+    const Vec3 posed_forward = normalized(perpendicular(k_up, thigh), any_perpendicular(thigh));
+    const float twist = colvin_step5_twist(axis, rotate(swing, posed_forward), leg.upper_forward);
+    const Quat turn = axis_angle(axis, twist) * swing;
+    result.knee = leg.hip + rotate(turn, posed.knee);
+    result.ankle = leg.hip + rotate(turn, posed.ankle);
+
+    // World rotations that take the animated bones there: the thigh with its knee's side, the calf with the thigh and
+    // then about the knee.
+    const Vec3 new_thigh = result.knee - leg.hip, old_thigh = leg.knee - leg.hip;
+    const Quat carry = rotation_between(old_thigh, new_thigh);
+    const Vec3 new_axis = normalized(new_thigh);
+    const float roll = colvin_step5_twist(new_axis, rotate(carry, leg.upper_forward), rotate(turn, posed_forward));
+    result.upper = axis_angle(new_axis, roll) * carry;
+    const Vec3 calf = rotate(result.upper, leg.ankle - leg.knee);
+    result.lower = rotation_between(calf, result.ankle - result.knee) * result.upper;
+    return result;
+}
+
+}  // namespace surefoot
