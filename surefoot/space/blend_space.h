@@ -24,13 +24,13 @@ struct Axis {
     friend bool operator==(const Axis&, const Axis&) = default;
 };
 
-/// dimensions + 1 sample indices; unused entries are -1.
+/// Sample indices: dimensions + 1 of them, or fewer where all samples lie on a line, a plane, …; unused entries are -1.
 using Simplex = std::array<std::int32_t, k_max_dimensions + 1>;
 
 struct BlendSpace {
     std::vector<Axis> axes;           ///< 1 to 4
     std::vector<SpacePoint> samples;  ///< at least one
-    std::vector<Simplex> simplices;   ///< empty where there are too few samples for the dimension
+    std::vector<Simplex> simplices;   ///< all of the same rank: triangles, or segments where samples lie on a line, …
     std::vector<Simplex> neighbours;  ///< neighbours[s][k]: the simplex across the face opposite vertex k, or -1
 
     int dimensions() const noexcept { return static_cast<int>(axes.size()); }
@@ -46,8 +46,8 @@ struct BlendWeights {
     bool clamped = false;
 };
 
-/// Weights at `point`; outside the hull, those of the nearest boundary point. Never fails, never allocates.
-/// A space without simplices (fewer samples than dimensions + 1) answers from its nearest sample or segment.
+/// Weights at `point`; outside the hull, those of the nearest point of the hull (distances in shares of each axis'
+/// range). Never fails, never allocates. `hint` is the simplex of the last answer: a moving point is found in O(1).
 BlendWeights blend_weights(const BlendSpace& space, const SpacePoint& point, std::int32_t hint = 0) noexcept;
 
 /// What is wrong with a space (empty: nothing): sizes, indices, neighbours that do not point back, non-finite numbers.

@@ -18,21 +18,26 @@ inline constexpr int k_lattice_steps = 65535;                     ///< coordinat
 using LatticePoint = std::array<std::int32_t, k_max_dimensions>;  ///< unused dimensions are 0
 
 struct Triangulation {
-    std::vector<Simplex> simplices;     ///< positively oriented
+    std::vector<Simplex> simplices;     ///< of rank + 1 points each; positively oriented where rank == dimensions
     std::vector<Simplex> neighbours;    ///< neighbours[s][k]: across the face opposite vertex k, or -1
     std::vector<std::int32_t> same_as;  ///< of each point: the first point at the same place (itself, mostly)
-    int rank = 0;  ///< dimension that the points span; simplices exist only where it equals the asked dimension
+    int rank = -1;  ///< dimension that the points span: 0 for one place, 1 for a line, …; -1 without points
 };
 
-/// Triangulates distinct lattice points. Needs 1 <= dimensions <= 4. Points of equal position are merged into the
-/// first. Simplices are sorted, so that the result does not depend on how it was found.
+/// Triangulates lattice points. Needs 1 <= dimensions <= 4. Points of equal position are merged into the first. Points
+/// that all lie on a line, plane, … are triangulated within it. Simplices are sorted, so that the result does not
+/// depend on how it was found.
 Triangulation triangulate(int dimensions, std::span<const LatticePoint> points);
 
-/// `point` on the lattice that spans each axis' limits, low to high, clamped. (On a wrapping axis high meets low.)
+/// `point` on the lattice. The axes' limits take its middle half, so that there is room for samples beyond the limits
+/// and for the copies of a wrapping axis; what lies farther out is clamped.
 LatticePoint to_lattice(std::span<const Axis> axes, const SpacePoint& point);
 
-/// Fills simplices and neighbours of a space from its axes and samples. Returns the rank (see Triangulation): where it
-/// is below dimensions(), the samples lie on a line, a plane, … and the space has no simplices.
+/// Fills simplices and neighbours of a space from its axes and samples, and returns the rank (see Triangulation).
 int triangulate(BlendSpace& space);
+
+/// Makes wrapping axes seamless: samples within half a range of either end of such an axis are repeated one range away.
+/// Returns, for each sample, the original that it stands for (itself for the originals). Call before triangulate.
+std::vector<std::int32_t> add_wrap_copies(BlendSpace& space);
 
 }  // namespace surefoot
