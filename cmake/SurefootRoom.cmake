@@ -28,6 +28,9 @@ function(surefoot_room name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME room_${name})
   add_library(surefoot::room_${name} ALIAS ${target})
   set_property(GLOBAL APPEND PROPERTY SUREFOOT_ROOMS ${name})
+  if(ROOM_RUNTIME)
+    set_property(GLOBAL APPEND PROPERTY SUREFOOT_RUNTIME_ROOMS ${name})
+  endif()
 endfunction()
 
 # Same bits with every instruction set: no contraction (DESIGN: bit-exact everywhere). -Wno-psabi silences notes about

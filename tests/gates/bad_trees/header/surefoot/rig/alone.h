@@ -1,0 +1,3 @@
+#pragma once
+// Uses std::vector without its header.
+std::vector<int> joints();

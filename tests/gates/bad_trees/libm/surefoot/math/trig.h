@@ -1,0 +1,2 @@
+#pragma once
+double sin(double x) noexcept;

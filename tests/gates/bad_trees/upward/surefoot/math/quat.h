@@ -1,0 +1,3 @@
+#pragma once
+/* A room that reaches for one below it. */
+#include <surefoot/rig/pose.h>
