@@ -247,8 +247,9 @@ Triangulation triangulate(int dimensions, std::span<const LatticePoint> points) 
 }
 
 LatticePoint to_lattice(std::span<const Axis> axes, const SpacePoint& point) {
-    // A multiple of four: then limits and middle of an axis are lattice points, and symmetric sets stay symmetric.
-    constexpr int k_used_steps = k_lattice_steps / 4 * 4;
+    // 32760 steps a range, a number of many divisors: halves, thirds, tenths, fortieths of an axis are lattice points,
+    // so that sets which are symmetric, gridded or in line stay so.
+    constexpr int k_used_steps = 65520;
     LatticePoint result{};
     for (std::size_t k = 0; k < axes.size(); ++k) {
         // Room for what lies beyond the limits, and for the copies of a wrapping axis: half a range on either side.
