@@ -27,7 +27,7 @@ Motion reverse(const Motion& motion);
 
 /// The same clip at another frame rate [Limit: > 0]: slerp of rotations, linear translations and root frames.
 /// Duration is kept: a clip whose duration is no whole number of new frames gets the nearest count and a rate that
-/// differs accordingly (never by more than half a frame).
+/// differs accordingly (never by more than half a frame). Throws Error where `fps` is no positive number.
 Motion resample(const Motion& motion, float fps);
 
 /// Pose and root between frames: `time` in seconds from the first frame, clamped (cyclic clips wrap, travel added).
@@ -39,12 +39,14 @@ struct LoopClosing {
     float added = 0;       ///< [m] largest displacement of a joint in root space that closing added in any frame
 };
 
-/// What close_loop would report as seam and seam_speed, without changing anything.
+/// What close_loop would report as seam and seam_speed, without changing anything (added stays 0).
 LoopClosing measure_seam(const Motion& motion);
 
-/// Makes first and last pose equal (relative to the root) by spreading half of each mismatch over either half of the
-/// cycle, rotations by rotation vectors, translations linearly; sets `cyclic`. Needs extracted root motion: what
-/// travels must be in the root frames. Root frames are not changed.
+/// Makes first and last pose equal (relative to the root); sets `cyclic`. Needs extracted root motion: what travels
+/// must be in the root frames. First the root's step over the cycle is fitted to the body's own (world poses
+/// unchanged), then the mismatch that is left is spread over the cycle, half at either end, rotations by rotation
+/// vectors, translations linearly. Run extract_root_motion again afterwards for a root path that is smooth across the
+/// seam.
 LoopClosing close_loop(Motion& motion);
 
 /// Clips of one skeleton and frame rate one after the other: each starts at the root frame where the last one ended

@@ -40,4 +40,8 @@ SolePoints sole_points(const Leg& leg, const Transform& foot, const Transform& t
 /// at 70 % of the foot without one; lengths come from the skeleton's rest offsets.
 Legs make_legs(const Skeleton& skeleton, const RoleMap& roles, std::span<const Transform> standing, float floor);
 
+/// One leg, from a pose in which this foot stands flat (the two feet of a walking clip never do at the same time).
+Leg make_leg(const Skeleton& skeleton, const RoleMap& roles, Side side, std::span<const Transform> standing,
+             float floor);
+
 }  // namespace surefoot

@@ -1,0 +1,154 @@
+#include <surefoot/motion/edit.h>
+#include <surefoot/motion/root_motion.h>
+#include <surefoot/rig/joint_name.h>
+
+#include <algorithm>
+#include <map>
+
+namespace surefoot {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Reflection in the plane x = 0, of points and of rotations (S R S).
+Vec3 reflected(Vec3 v) { return {-v.x, v.y, v.z}; }
+Quat reflected(Quat q) { return {q.x, -q.y, -q.z, q.w}; }
+
+// One parsed key for both sides: "thigh_twist_01_l" and "thigh_twist_01_r" give the same.
+std::string sideless(const JointName& name) { return name.stem + "#" + name.number; }
+
+void pair_by_name(const Skeleton& skeleton, std::vector<int>& pairs, const std::vector<bool>& done) {
+    std::map<std::string, std::vector<int>> sides[2];
+    for (int j = 0; j < skeleton.joint_count(); ++j) {
+        if (done[at(j)]) continue;
+        const JointName name = parse_joint_name(skeleton.names[at(j)]);
+        if (name.side != NameSide::none) sides[name.side == NameSide::left ? 0 : 1][sideless(name)].push_back(j);
+    }
+    // Equal names on one side ("J_Sec_L_Hair1", …) pair in order; what has no partner stays its own.
+    for (const auto& [key, left] : sides[0]) {
+        const auto right = sides[1].find(key);
+        if (right == sides[1].end()) continue;
+        for (std::size_t i = 0; i < std::min(left.size(), right->second.size()); ++i) {
+            pairs[at(left[i])] = right->second[i];
+            pairs[at(right->second[i])] = left[i];
+        }
+    }
+    // Glued sides: "lthumb" and "rthumb".
+    for (int j = 0; j < skeleton.joint_count(); ++j) {
+        std::string name = skeleton.names[at(j)];
+        if (done[at(j)] || pairs[at(j)] != j || name.empty() || (name[0] != 'l' && name[0] != 'L')) continue;
+        name[0] = name[0] == 'l' ? 'r' : 'R';
+        const int other = skeleton.find(name);
+        if (other == k_no_joint || done[at(other)] || pairs[at(other)] != other) continue;
+        pairs[at(j)] = other;
+        pairs[at(other)] = j;
+    }
+}
+
+struct Mirror {
+    const Skeleton& skeleton;
+    std::vector<int> pairs;
+    // The mirrored joint's model rotation is reflected(partner's) * correction: what a joint's axes on one side differ
+    // from the reflection of the other side's. For T-poses with any axes it is inverse(reflected(rest of partner)) *
+    // rest.
+    std::vector<Quat> correction;
+
+    Vec3 offset(int j) const { return skeleton.rest[at(j)].translation; }
+
+    // How far `c` fails to lay joint j's children over the reflected children of its partner: mean of 1 - cosine.
+    float misfit(int j, Quat c) const {
+        float sum = 0, weight = 1e-9f;
+        for (int child = j + 1; child < skeleton.joint_count(); ++child) {
+            const int partner = pairs[at(child)];
+            if (skeleton.parents[at(child)] != j || skeleton.parents[at(partner)] != pairs[at(j)]) continue;
+            const Vec3 mine = rotate(c, offset(child)), other = reflected(offset(partner));
+            const float size = length(mine);
+            sum += size - dot(mine, normalized(other));
+            weight += size;
+        }
+        return sum / weight;
+    }
+
+    void find_corrections(const RoleMap& roles) {
+        std::vector<Transform> models(skeleton.rest.size());
+        local_to_model(skeleton, skeleton.rest, models);
+        const Quat facing = from_yaw(-torso_yaw(roles, models));  // the plane of symmetry of the rest pose
+        correction.assign(models.size(), Quat{});
+        for (int j = 0; j < skeleton.joint_count(); ++j) {
+            const int partner = pairs[at(j)];
+            if (partner < j) continue;
+            const Quat mine = normalized(facing * models[at(j)].rotation);
+            const Quat other = normalized(facing * models[at(partner)].rotation);
+            const Quat best = choose(j, normalized(conjugate(reflected(other)) * mine));
+            correction[at(j)] = best;
+            // Mirroring twice gives the pose back: the partner's correction is the reflected inverse.
+            if (partner != j) correction[at(partner)] = reflected(conjugate(best));
+        }
+    }
+
+    // The rest pose's own correction, unless the bones contradict it (rest poses taken from the middle of a walk): then
+    // the axis convention that fits best: the same axes, or half a turn about one of them.
+    Quat choose(int j, Quat from_rest) const {
+        constexpr float k_contradiction = 0.06f;  // 20 degrees
+        Quat best = from_rest;
+        float least = misfit(j, from_rest);
+        if (least <= k_contradiction) return best;
+        for (const Quat c : {Quat{0, 0, 0, 1}, Quat{1, 0, 0, 0}, Quat{0, 1, 0, 0}, Quat{0, 0, 1, 0}}) {
+            // Joints on the middle line may only turn within their plane, or mirroring twice would not be identity.
+            if (pairs[at(j)] == j && c.x != 0) continue;
+            if (const float m = misfit(j, c); m < least - 1e-4f) least = m, best = c;
+        }
+        return best;
+    }
+};
+
+}  // namespace
+
+std::vector<int> mirror_pairs(const Skeleton& skeleton, const RoleMap& roles) {
+    std::vector<int> pairs(skeleton.names.size());
+    std::vector<bool> done(pairs.size(), false);
+    for (int j = 0; j < skeleton.joint_count(); ++j) pairs[at(j)] = j;
+    for (int r = 0; r < k_role_count; ++r) {
+        const Role role = static_cast<Role>(r);
+        if (!roles.has(role) || !roles.has(mirrored(role))) continue;
+        pairs[at(roles[role])] = roles[mirrored(role)];
+        done[at(roles[role])] = true;
+    }
+    pair_by_name(skeleton, pairs, done);
+    return pairs;
+}
+
+Motion mirror(const Motion& motion, const RoleMap& roles) {
+    const Skeleton& skeleton = *motion.skeleton;
+    Mirror m{skeleton, mirror_pairs(skeleton, roles), {}};
+    m.find_corrections(roles);
+    Motion result = motion;
+    for (RootFrame& frame : result.root) frame = {reflected(frame.position), -frame.yaw};
+    const std::size_t count = at(motion.joint_count());
+    const int hips = roles[Role::hips];
+    std::vector<Transform> models(count);
+    std::vector<Quat> turned(count);
+    for (int f = 0; f < motion.frame_count(); ++f) {
+        const auto pose = motion.frame(f);
+        const auto out = result.frame(f);
+        local_to_model(skeleton, pose, models);
+        for (std::size_t j = 0; j < count; ++j)
+            turned[j] = normalized(reflected(models[at(m.pairs[j])].rotation) * m.correction[j]);
+        for (std::size_t j = 0; j < count; ++j) {
+            const int parent = skeleton.parents[j], partner = m.pairs[j];
+            const Quat to_parent = parent == k_no_joint ? Quat{} : conjugate(turned[at(parent)]);
+            out[j].rotation = normalized(to_parent * turned[j]);
+            // From the hips up to the root positions are reflected as they are; elsewhere each side keeps its own
+            // offsets and takes the other's movement against them.
+            const Quat back = parent == k_no_joint ? Quat{} : conjugate(m.correction[at(parent)]);
+            const bool carries =
+                hips == k_no_joint ? parent == k_no_joint : is_within(skeleton, hips, static_cast<int>(j));
+            const Vec3 moved = pose[at(partner)].translation - (carries ? Vec3{} : m.offset(partner));
+            out[j].translation = (carries ? Vec3{} : m.offset(static_cast<int>(j))) + rotate(back, reflected(moved));
+        }
+    }
+    return result;
+}
+
+}  // namespace surefoot
