@@ -19,3 +19,9 @@ if(NOT EMSCRIPTEN)
   find_package(assimp REQUIRED)
   target_link_libraries(surefoot_io_libraries INTERFACE assimp::assimp)
 endif()
+
+# Exported with the authoring rooms that use them (cmake/SurefootInstall.cmake).
+set_property(GLOBAL PROPERTY SUREFOOT_LIBRARY_TARGETS surefoot_json surefoot_threads surefoot_io_libraries)
+foreach(library json threads io_libraries)
+  set_target_properties(surefoot_${library} PROPERTIES EXPORT_NAME library_${library})
+endforeach()
