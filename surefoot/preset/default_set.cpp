@@ -1,0 +1,14 @@
+#include <surefoot/preset/biped.h>
+#include <surefoot/preset/default_set.h>
+#include <surefoot/preset/gait_cycle.h>
+
+namespace surefoot {
+
+DefaultSet make_default_set() {
+    const Biped biped = make_biped();
+    DefaultSet set{biped.skeleton, biped.roles, {}};
+    for (const GaitParameters& gait : default_gaits()) set.clips.push_back(make_gait_cycle(biped, gait));
+    return set;
+}
+
+}  // namespace surefoot
