@@ -36,6 +36,7 @@ struct PackedClip {
     /// packed for blending move steadily: root[f] is `velocity` and `turn_rate` integrated over f / fps, exactly, and
     /// what the actor did beside that (a breath of speed within the step) is in the pose.
     std::vector<RootFrame> root;
+    RootFrame start;      ///< the source's first root frame seen from root[0] (a steady root starts where it fits best)
     RootFrame travel;     ///< root of the last frame seen from the first: what one pass adds
     Vec3 velocity;        ///< [m/s] of the root, in the root's own frame
     float turn_rate = 0;  ///< [rad/s] of the root, positive to the left

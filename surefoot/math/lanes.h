@@ -72,6 +72,8 @@ struct Float8 {
     /// Eight 16-bit integers, as floats.
     SUREFOOT_INLINE static Float8 load_int16(const std::int16_t* from) noexcept;
     SUREFOOT_INLINE void store(float* to) const noexcept { std::memcpy(to, part, sizeof part); }
+    /// The first four lanes only.
+    SUREFOOT_INLINE void store4(float* to) const noexcept { std::memcpy(to, part, 4 * sizeof(float)); }
     float operator[](int lane) const noexcept {
         float all[8];
         store(all);

@@ -1,0 +1,35 @@
+#pragma once
+// The kernels of this room, as raw as they are: plain pointers in, plain pointers out, so that a file compiled for
+// another instruction set shares no inline function with the rest of the program (math/lanes.h says why that matters).
+// Private to clip/; the public face is sample.h.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace surefoot {
+
+/// Two neighbouring frames of one leaf and what each weighs.
+struct KeyPair {
+    const std::int16_t* from;     ///< [block][x8 y8 z8 w8]
+    const std::int16_t* to;       ///< the frame after it
+    const std::uint8_t* turning;  ///< one flag a block, or null
+    float from_weight, to_weight;
+};
+
+struct ClipKernels {
+    const char* name;
+    /// Weighted sum of `count` key pairs, normalised; the rotation of joint j goes to out[j * stride] … + 3.
+    void (*blend_rotations)(const KeyPair* pairs, int count, int joints, float* out, std::size_t stride);
+    /// Eight characters, lane = character: locals[c] is [joint][qx qy qz qw tx ty tz]; models[c] receives
+    /// [joint][3x4]. scratch: [joint][7][8].
+    void (*local_to_model)(const std::int16_t* parents, int joints, const float* const* locals, float* const* models,
+                           float* scratch);
+};
+
+extern const ClipKernels k_scalar_kernels;
+extern const ClipKernels k_baseline_kernels;  ///< what every machine of the build's target runs
+
+/// The fastest this machine runs; chosen once.
+const ClipKernels& clip_kernels() noexcept;
+
+}  // namespace surefoot

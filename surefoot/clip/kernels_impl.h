@@ -1,0 +1,164 @@
+#pragma once
+// The kernels' one text, instantiated for each instruction set and for the scalar twin (kernels_*.cpp).
+
+#include <surefoot/clip/kernels.h>
+#include <surefoot/math/lanes.h>
+
+namespace surefoot {
+inline namespace SUREFOOT_KERNELS {
+
+template <class T>
+struct Quat8 {
+    Float8<T> x, y, z, w;
+};
+template <class T>
+struct Vec8 {
+    Float8<T> x, y, z;
+};
+
+// The operations of math/quat.h and transform.h in the same order, so that eight characters at once get the very bits
+// that one alone gets.
+template <class T>
+SUREFOOT_INLINE Quat8<T> multiply(const Quat8<T>& a, const Quat8<T>& b) noexcept {
+    return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+            a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
+}
+template <class T>
+SUREFOOT_INLINE Vec8<T> rotate(const Quat8<T>& q, const Vec8<T>& v) noexcept {
+    const Vec8<T> t{2.0f * (q.y * v.z - q.z * v.y), 2.0f * (q.z * v.x - q.x * v.z), 2.0f * (q.x * v.y - q.y * v.x)};
+    return {(v.x + q.w * t.x) + (q.y * t.z - q.z * t.y), (v.y + q.w * t.y) + (q.z * t.x - q.x * t.z),
+            (v.z + q.w * t.z) + (q.x * t.y - q.y * t.x)};
+}
+
+// Values are q * 32767, so a sum shorter than one unit is no rotation: opposite keys have cancelled out.
+inline constexpr float k_least_square = 1.0f;
+
+template <class T>
+SUREFOOT_INLINE Quat8<T> sum_block(const KeyPair* pairs, int count, int block) noexcept {
+    using F = Float8<T>;
+    Quat8<T> sum{F::splat(0), F::splat(0), F::splat(0), F::splat(0)};
+    for (int i = 0; i < count; ++i) {
+        const std::int16_t *a = pairs[i].from + block * 32, *b = pairs[i].to + block * 32;
+        const F u = F::splat(pairs[i].from_weight), v = F::splat(pairs[i].to_weight);
+        sum.x += u * F::load_int16(a) + v * F::load_int16(b);
+        sum.y += u * F::load_int16(a + 8) + v * F::load_int16(b + 8);
+        sum.z += u * F::load_int16(a + 16) + v * F::load_int16(b + 16);
+        sum.w += u * F::load_int16(a + 24) + v * F::load_int16(b + 24);
+    }
+    return sum;
+}
+
+// Where a joint turns more than half a revolution from rest, the signs of two clips need not agree: each leaf joins on
+// the side of the sum so far.
+template <class T>
+SUREFOOT_INLINE Quat8<T> sum_turning_block(const KeyPair* pairs, int count, int block) noexcept {
+    using F = Float8<T>;
+    const F zero = F::splat(0);
+    Quat8<T> sum{zero, zero, zero, zero};
+    for (int i = 0; i < count; ++i) {
+        const std::int16_t *a = pairs[i].from + block * 32, *b = pairs[i].to + block * 32;
+        const F u = F::splat(pairs[i].from_weight), v = F::splat(pairs[i].to_weight);
+        const F x = u * F::load_int16(a) + v * F::load_int16(b);
+        const F y = u * F::load_int16(a + 8) + v * F::load_int16(b + 8);
+        const F z = u * F::load_int16(a + 16) + v * F::load_int16(b + 16);
+        const F w = u * F::load_int16(a + 24) + v * F::load_int16(b + 24);
+        const F side = sum.x * x + sum.y * y + sum.z * z + sum.w * w;
+        const Mask8<T> other = side < zero;
+        sum.x += select(other, -x, x);
+        sum.y += select(other, -y, y);
+        sum.z += select(other, -z, z);
+        sum.w += select(other, -w, w);
+    }
+    return sum;
+}
+
+template <class T>
+void blend_rotations(const KeyPair* pairs, int count, int joints, float* out, std::size_t stride) {
+    using F = Float8<T>;
+    const int blocks = (joints + 7) / 8;
+    bool may_turn = false;
+    for (int i = 0; i < count; ++i) may_turn |= pairs[i].turning != nullptr;
+    for (int block = 0; block < blocks; ++block) {
+        bool turns = false;
+        if (may_turn)
+            for (int i = 0; i < count; ++i) turns |= pairs[i].turning != nullptr && pairs[i].turning[block] != 0;
+        const Quat8<T> sum = turns ? sum_turning_block<T>(pairs, count, block) : sum_block<T>(pairs, count, block);
+        const F square = sum.x * sum.x + sum.y * sum.y + sum.z * sum.z + sum.w * sum.w;
+        const F scale = rsqrt(max(square, F::splat(k_least_square)));
+        const F zero = F::splat(0);
+        F rows[8] = {sum.x * scale, sum.y * scale, sum.z * scale, sum.w * scale, zero, zero, zero, zero};
+        transpose(rows);
+        const int lanes = joints - block * 8 < 8 ? joints - block * 8 : 8;
+        float* to = out + static_cast<std::size_t>(block) * 8 * stride;
+        if (lanes == 8) {
+            for (int lane = 0; lane < 8; ++lane) rows[lane].store4(to + static_cast<std::size_t>(lane) * stride);
+        } else {
+            for (int lane = 0; lane < lanes; ++lane) rows[lane].store4(to + static_cast<std::size_t>(lane) * stride);
+        }
+    }
+}
+
+// Model transforms of one joint for eight characters; rows come as [qx qy qz qw tx ty tz -].
+template <class T>
+SUREFOOT_INLINE void model_of_joint(const Float8<T> (&local)[8], const float* parent, float* model) noexcept {
+    using F = Float8<T>;
+    Quat8<T> q{local[0], local[1], local[2], local[3]};
+    Vec8<T> p{local[4], local[5], local[6]};
+    if (parent != nullptr) {
+        const Quat8<T> up{F::load(parent), F::load(parent + 8), F::load(parent + 16), F::load(parent + 24)};
+        q = multiply(up, q);
+        const Vec8<T> r = rotate(up, p);
+        p = {F::load(parent + 32) + r.x, F::load(parent + 40) + r.y, F::load(parent + 48) + r.z};
+    }
+    q.x.store(model);
+    q.y.store(model + 8);
+    q.z.store(model + 16);
+    q.w.store(model + 24);
+    p.x.store(model + 32);
+    p.y.store(model + 40);
+    p.z.store(model + 48);
+}
+
+template <class T>
+SUREFOOT_INLINE void write_matrices(const float* model, float* const* models, std::size_t joint) noexcept {
+    using F = Float8<T>;
+    const F x = F::load(model), y = F::load(model + 8), z = F::load(model + 16), w = F::load(model + 24);
+    const F x2 = x + x, y2 = y + y, z2 = z + z;
+    const F xx = x * x2, yy = y * y2, zz = z * z2, xy = x * y2, xz = x * z2, yz = y * z2;
+    const F wx = w * x2, wy = w * y2, wz = w * z2, zero = F::splat(0);
+    F upper[8] = {1.0f - (yy + zz), xy - wz,          xz + wy, F::load(model + 32),
+                  xy + wz,          1.0f - (xx + zz), yz - wx, F::load(model + 40)};
+    F lower[8] = {xz - wy, yz + wx, 1.0f - (xx + yy), F::load(model + 48), zero, zero, zero, zero};
+    transpose(upper);
+    transpose(lower);
+    for (int c = 0; c < 8; ++c) {
+        upper[c].store(models[c] + joint * 12);
+        lower[c].store4(models[c] + joint * 12 + 8);
+    }
+}
+
+template <class T>
+void local_to_model(const std::int16_t* parents, int joints, const float* const* locals, float* const* models,
+                    float* scratch) {
+    using F = Float8<T>;
+    for (int j = 0; j < joints; ++j) {
+        const std::size_t at = static_cast<std::size_t>(j);
+        F rows[8];
+        if (j + 1 < joints) {
+            for (int c = 0; c < 8; ++c) rows[c] = F::load(locals[c] + at * 7);
+        } else {  // the last joint has no eighth float behind it
+            for (int c = 0; c < 8; ++c) {
+                float last[8] = {};
+                std::memcpy(last, locals[c] + at * 7, 7 * sizeof(float));
+                rows[c] = F::load(last);
+            }
+        }
+        transpose(rows);
+        float* model = scratch + at * 56;
+        model_of_joint(rows, parents[j] < 0 ? nullptr : scratch + static_cast<std::size_t>(parents[j]) * 56, model);
+        write_matrices<T>(model, models, at);
+    }
+}
+
+}  // namespace SUREFOOT_KERNELS
+}  // namespace surefoot

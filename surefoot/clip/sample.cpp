@@ -1,0 +1,175 @@
+#include <surefoot/clip/kernels.h>
+#include <surefoot/clip/sample.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+
+namespace surefoot {
+
+namespace {
+
+static_assert(sizeof(Transform) == 7 * sizeof(float), "kernels see a transform as qx qy qz qw tx ty tz");
+static_assert(sizeof(Matrix34) == 12 * sizeof(float));
+constexpr std::size_t k_transform_floats = 7;
+
+/// The frames on either side of a time.
+struct Keys {
+    int from = 0;
+    float share = 0;  ///< of the later frame
+};
+Keys keys_at(const PackedClip& clip, float time) noexcept {
+    const float last = static_cast<float>(clip.frame_count - 1);
+    const float frame = std::min(std::max(time * clip.fps, 0.0f), last);
+    const int from = std::min(static_cast<int>(frame), clip.frame_count - 2);
+    return {from, frame - static_cast<float>(from)};
+}
+
+// Translations that move: rest plus the weighted sum of each leaf's deviation from rest.
+void add_translations(const Skeleton& skeleton, const PackedClip& clip, Keys keys, float weight,
+                      std::span<Transform> locals) noexcept {
+    const std::size_t count = clip.moving.size();
+    const Vec3* from = clip.translations.data() + static_cast<std::size_t>(keys.from) * count;
+    const Vec3* to = from + count;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto joint = static_cast<std::size_t>(clip.moving[i]);
+        locals[joint].translation += weight * (lerp(from[i], to[i], keys.share) - skeleton.rest[joint].translation);
+    }
+}
+
+void sample_with(const ClipKernels& kernels, const Skeleton& skeleton, std::span<const PackedClip> clips,
+                 std::span<const Leaf> leaves, std::span<Transform> locals) noexcept {
+    const std::size_t joints = skeleton.rest.size();
+    assert(!leaves.empty() && leaves.size() <= static_cast<std::size_t>(k_max_leaves) && locals.size() >= joints);
+    float total = 0;
+    for (const Leaf& leaf : leaves) total += leaf.weight;
+    assert(total > 0);
+    std::memcpy(static_cast<void*>(locals.data()), skeleton.rest.data(), joints * sizeof(Transform));
+    KeyPair pairs[k_max_leaves];
+    int count = 0;
+    for (const Leaf& leaf : leaves) {
+        const PackedClip& clip = clips[static_cast<std::size_t>(leaf.clip)];
+        assert(clip.joint_count == skeleton.joint_count());
+        const Keys keys = keys_at(clip, leaf.time);
+        const float weight = leaf.weight / total;
+        const std::size_t frame = static_cast<std::size_t>(clip.block_count()) * 4 * k_lanes;
+        const std::int16_t* from = clip.rotations.data() + static_cast<std::size_t>(keys.from) * frame;
+        pairs[count++] = {from, from + frame, clip.turning_blocks.empty() ? nullptr : clip.turning_blocks.data(),
+                          weight * (1.0f - keys.share), weight * keys.share};
+        add_translations(skeleton, clip, keys, weight, locals);
+    }
+    kernels.blend_rotations(pairs, count, skeleton.joint_count(), &locals[0].rotation.x, k_transform_floats);
+}
+
+void models_with(const ClipKernels& kernels, const Skeleton& skeleton, const Transform* const (&locals)[k_lanes],
+                 Matrix34* const (&models)[k_lanes], float* scratch) noexcept {
+    const float* from[k_lanes];
+    float* to[k_lanes];
+    for (int c = 0; c < k_lanes; ++c) {
+        from[c] = &locals[c]->rotation.x;
+        to[c] = models[c]->m;
+    }
+    kernels.local_to_model(skeleton.parents.data(), skeleton.joint_count(), from, to, scratch);
+}
+
+/// a, n times after one another.
+RootFrame repeated(RootFrame a, int n) noexcept {
+    RootFrame result;
+    for (; n > 0; n /= 2, a = a * a)
+        if (n % 2 == 1) result = result * a;
+    return result;
+}
+
+}  // namespace
+
+const ClipKernels& clip_kernels() noexcept { return k_baseline_kernels; }
+
+void sample_pose(const Skeleton& skeleton, std::span<const PackedClip> clips, std::span<const Leaf> leaves,
+                 std::span<Transform> locals) noexcept {
+    sample_with(clip_kernels(), skeleton, clips, leaves, locals);
+}
+void sample_pose_scalar(const Skeleton& skeleton, std::span<const PackedClip> clips, std::span<const Leaf> leaves,
+                        std::span<Transform> locals) noexcept {
+    sample_with(k_scalar_kernels, skeleton, clips, leaves, locals);
+}
+
+void local_to_model_8(const Skeleton& skeleton, const Transform* const (&locals)[k_lanes],
+                      Matrix34* const (&models)[k_lanes], float* scratch) noexcept {
+    models_with(clip_kernels(), skeleton, locals, models, scratch);
+}
+void local_to_model_8_scalar(const Skeleton& skeleton, const Transform* const (&locals)[k_lanes],
+                             Matrix34* const (&models)[k_lanes], float* scratch) noexcept {
+    models_with(k_scalar_kernels, skeleton, locals, models, scratch);
+}
+
+RootFrame clip_root(const PackedClip& clip, float time) noexcept {
+    const float duration = clip.duration();
+    int passes = 0;
+    if (clip.cyclic && duration > 0) {
+        constexpr float k_most_passes = 1e6f;
+        passes = static_cast<int>(std::min(std::max(std::floor(time / duration), -k_most_passes), k_most_passes));
+        time -= static_cast<float>(passes) * duration;
+    }
+    const Keys keys = keys_at(clip, time);
+    const RootFrame& a = clip.root[static_cast<std::size_t>(keys.from)];
+    const RootFrame& b = clip.root[static_cast<std::size_t>(keys.from) + 1];
+    const RootFrame within{lerp(a.position, b.position, keys.share), a.yaw + (b.yaw - a.yaw) * keys.share};
+    if (passes == 0) return within;
+    return repeated(passes > 0 ? clip.travel : between(clip.travel, RootFrame{}), passes > 0 ? passes : -passes) *
+           within;
+}
+
+float phase_at(const PackedClip& clip, float time) noexcept {
+    if (clip.phase_map.empty()) return 0;
+    const float share = std::min(std::max(time / clip.duration(), 0.0f), 1.0f);
+    std::size_t i = 1;
+    while (i + 1 < clip.phase_map.size() && clip.phase_map[i][0] < share) ++i;
+    const auto& a = clip.phase_map[i - 1];
+    const auto& b = clip.phase_map[i];
+    return a[1] + (share - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
+}
+
+PhaseTime phase_time(const PackedClip& clip, float phase) noexcept {
+    if (clip.phase_map.empty()) return {};
+    const float first = clip.phase_map.front()[1], cycles = static_cast<float>(clip.cycles);
+    phase -= std::floor((phase - first) / cycles) * cycles;
+    std::size_t i = 1;
+    while (i + 1 < clip.phase_map.size() && clip.phase_map[i][1] < phase) ++i;
+    const auto& a = clip.phase_map[i - 1];
+    const auto& b = clip.phase_map[i];
+    const float slope = (b[0] - a[0]) / (b[1] - a[1]) * clip.duration();
+    const float time = a[0] * clip.duration() + (phase - a[1]) * slope;
+    return {std::min(std::max(time, 0.0f), clip.duration()), slope};
+}
+
+float time_at(const PackedClip& clip, float phase) noexcept { return phase_time(clip, phase).time; }
+
+std::string problem(const PackedClip& clip) {
+    const auto frames = static_cast<std::size_t>(clip.frame_count > 0 ? clip.frame_count : 0);
+    const std::string where = "clip '" + clip.name + "' ";
+    if (clip.frame_count < 2) return where + "has fewer than two frames";
+    if (clip.joint_count < 1 || clip.joint_count > k_max_joints) return where + "has a wrong number of joints";
+    if (!(clip.fps > 0) || !std::isfinite(clip.fps)) return where + "has a frame rate that is not a positive number";
+    if (clip.rotations.size() != frames * static_cast<std::size_t>(clip.block_count()) * 4 * k_lanes)
+        return where + "has rotations that do not match its frames and joints";
+    if (!clip.turning_blocks.empty() && clip.turning_blocks.size() != static_cast<std::size_t>(clip.block_count()))
+        return where + "has turning flags that do not match its joints";
+    if (clip.translations.size() != frames * clip.moving.size())
+        return where + "has translations that do not match its frames";
+    for (std::size_t i = 0; i < clip.moving.size(); ++i)
+        if (clip.moving[i] < (i > 0 ? clip.moving[i - 1] + 1 : 0) || clip.moving[i] >= clip.joint_count)
+            return where + "names moving joints out of order";
+    if (clip.root.size() != frames) return where + "has a root track that does not match its frames";
+    const auto& map = clip.phase_map;
+    if (map.empty() != (clip.cycles == 0)) return where + "has a phase map and a cycle count that disagree";
+    if (map.empty()) return {};
+    if (map.size() < 2 || clip.cycles < 1 || map.front()[0] != 0 || map.back()[0] != 1 || map.front()[1] < 0 ||
+        map.front()[1] >= 1 || std::fabs(map.back()[1] - map.front()[1] - static_cast<float>(clip.cycles)) > 1e-4f)
+        return where + "has a phase map that does not span its cycles";
+    for (std::size_t i = 1; i < map.size(); ++i)
+        if (!(map[i][0] > map[i - 1][0] && map[i][1] > map[i - 1][1]))
+            return where + "has a phase map that does not ascend";
+    return {};
+}
+
+}  // namespace surefoot
