@@ -1,0 +1,245 @@
+#include <surefoot/graph/locomotion.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+/// A clip's stride is measured where the feet are: turning counts by this lever, the distance of a foot from the root.
+constexpr float k_foot_lever = 0.15f;  // [m]
+/// A sample weighing less adds nothing that can be seen (a thousandth of a pose), and costs a leaf.
+constexpr float k_least_weight = 1e-4f;
+
+/// Velocity of the ground under the feet, or its travel a cycle: planar and by turning, in metres.
+struct Stride {
+    float x = 0, z = 0, turn = 0;
+
+    friend Stride operator*(Stride a, float s) noexcept { return {a.x * s, a.z * s, a.turn * s}; }
+    Stride& operator+=(Stride b) noexcept { return *this = {x + b.x, z + b.z, turn + b.turn}; }
+    float length() const noexcept { return std::sqrt(x * x + z * z + turn * turn); }
+};
+Stride stride_of(Vec3 velocity, float turn_rate) noexcept { return {velocity.x, velocity.z, turn_rate * k_foot_lever}; }
+
+/// A sample of a space with its share in this frame.
+struct Active {
+    std::int32_t clip;
+    float weight;
+    Vec3 velocity;
+    float turn;
+};
+
+struct Mix {
+    Active active[k_max_locomotion_leaves];
+    int count = 0;
+    Vec3 velocity;
+    float turn = 0;  // [rad/s]
+    bool clamped = false;
+};
+
+SpacePoint point_in(const LocomotionSpace& space, float forward, float turn_deg, float lateral) noexcept {
+    SpacePoint point{};
+    for (std::size_t d = 0; d < static_cast<std::size_t>(space.space.dimensions()); ++d) {
+        switch (space.axes[d]) {
+            case RequestAxis::speed:
+            case RequestAxis::forward:
+                point[d] = forward;
+                break;
+            case RequestAxis::turn:
+                point[d] = turn_deg;
+                break;
+            case RequestAxis::lateral:
+                point[d] = lateral;
+                break;
+            case RequestAxis::none:
+                break;
+        }
+    }
+    return point;
+}
+
+/// Adds a space's samples at a point, all weighed by `share`; what no axis of it says about turning is `turn_deg`.
+void add_space(Mix& mix, const LocomotionSpace& space, std::int32_t& hint, const SpacePoint& point, float turn_deg,
+               float share) noexcept {
+    const BlendWeights found = blend_weights(space.space, point, hint);
+    hint = found.simplex;
+    mix.clamped |= found.clamped;
+    float kept = 0;
+    for (int i = 0; i < found.count; ++i)
+        if (found.weights[static_cast<std::size_t>(i)] >= k_least_weight)
+            kept += found.weights[static_cast<std::size_t>(i)];
+    for (int i = 0; i < found.count; ++i) {
+        const float raw = found.weights[static_cast<std::size_t>(i)];
+        if (raw < k_least_weight) continue;
+        const auto sample = static_cast<std::size_t>(found.samples[static_cast<std::size_t>(i)]);
+        const float weight = share * (raw / kept);
+        mix.active[mix.count++] = {space.clips[sample], weight, space.velocities[sample], space.turns[sample]};
+        mix.velocity += weight * space.velocities[sample];
+        if (space.has_turn) mix.turn += weight * space.turns[sample];
+    }
+    if (!space.has_turn) mix.turn += share * (turn_deg * k_radians_per_degree);
+}
+
+/// How a velocity is shared between the two spaces: so that both asked at the same speed, one straight along the
+/// facing and one along the lateral space's nearest direction, add up to it exactly.
+struct Sharing {
+    float lateral_share = 0;
+    float facing_forward = 0;
+    float lateral_forward = 0, lateral_side = 0;
+};
+Sharing share_out(const LocomotionGraph& graph, float forward, float side) noexcept {
+    if (graph.lateral.empty()) return {0, forward, 0, 0};
+    if (graph.facing.empty()) return {1, 0, forward, side};
+    const float ahead = std::fabs(forward), aside = std::fabs(side);
+    if (!(aside > 1e-6f)) return {0, forward, 0, 0};
+    const float angle = graph.side_travel[(side < 0 ? 1u : 0u) + (forward < 0 ? 2u : 0u)];
+    const float sine = sin(angle), cosine = cos(angle);
+    if (ahead * sine <= aside * cosine) return {1, 0, forward, side};  // no nearer to the facing than the clips are
+    const float oblique = aside / sine, straight = ahead - oblique * cosine, speed = oblique + straight;
+    const float sign = forward < 0 ? -1.0f : 1.0f;
+    return {oblique / speed, sign * speed, sign * speed * cosine, (side < 0 ? -speed : speed) * sine};
+}
+
+/// Rate of the shared phase, cycles a second (DESIGN: |sum w v| / |sum w s|; see graph/README.md).
+float phase_rate(const LocomotionGraph& graph, const Mix& mix, float phase, std::uint32_t cycle) noexcept {
+    Stride moved, stride;
+    float stride_sizes = 0, weights = 0, mean = 0, slowest = 0, fastest = 0;
+    for (int i = 0; i < mix.count; ++i) {
+        const Active& a = mix.active[i];
+        const PackedClip& clip = graph.clips[static_cast<std::size_t>(a.clip)];
+        moved += stride_of(a.velocity, a.turn) * a.weight;
+        if (clip.cycles == 0) continue;
+        // Seconds a cycle just here: foot strikes are not evenly spaced in every clip.
+        const float at = phase + static_cast<float>(cycle % static_cast<std::uint32_t>(clip.cycles));
+        const float seconds = phase_time(clip, at).slope;
+        const Stride own = stride_of(clip.velocity, clip.turn_rate) * seconds;
+        stride += own * a.weight;
+        stride_sizes += own.length() * a.weight;
+        weights += a.weight;
+        // A clip placed at another speed than its own is played that much faster.
+        const float own_speed = stride_of(clip.velocity, clip.turn_rate).length();
+        const float placed = stride_of(a.velocity, a.turn).length();
+        constexpr float k_standing = 0.02f;  // [m/s] slower ratios mean nothing
+        const float ratio = own_speed > k_standing ? std::min(std::max(placed / own_speed, 0.5f), 2.0f) : 1.0f;
+        const float rate = ratio / seconds;
+        mean += rate * a.weight;
+        slowest = weights == a.weight ? rate : std::min(slowest, rate);
+        fastest = std::max(fastest, rate);
+    }
+    if (!(weights > 0)) return 0;
+    mean /= weights;
+    const float length = stride.length();
+    // Strides that cancel (forward against backward) say nothing about the rate: fade to the mean rate there.
+    const float told = stride_sizes > 0 ? length / stride_sizes : 0.0f;
+    const float t = std::min(std::max((told - 0.2f) / 0.3f, 0.0f), 1.0f), trust = t * t * (3.0f - 2.0f * t);
+    if (!(trust > 0)) return mean;
+    // For velocities along one line this is a mean of the clips' own rates; the bounds only matter across directions.
+    const float by_stride = std::min(std::max(moved.length() / length, slowest), fastest);
+    return mean + (by_stride - mean) * trust;
+}
+
+void advance(LocomotionState& state, float rate, float dt) noexcept {
+    state.clock += static_cast<double>(dt);
+    const float phase = state.phase + rate * dt, whole = std::floor(phase);
+    state.cycle += static_cast<std::uint32_t>(static_cast<std::int32_t>(whole));
+    state.phase = phase - whole;
+    if (state.phase >= 1.0f) {  // rounding of a tiny negative rest
+        state.phase = 0;
+        ++state.cycle;
+    }
+}
+
+/// Time of a clip without steps on the character's clock: cyclic ones go round, others there and back.
+float clock_time(const PackedClip& clip, double clock) noexcept {
+    const double duration = clip.duration(), period = clip.cyclic ? duration : 2.0 * duration;
+    const double time = clock - std::floor(clock / period) * period;
+    return static_cast<float>(time <= duration ? time : period - time);
+}
+
+float leaf_time(const PackedClip& clip, const LocomotionState& state) noexcept {
+    if (clip.cycles == 0) return clock_time(clip, state.clock);
+    return time_at(clip, state.phase + static_cast<float>(state.cycle % static_cast<std::uint32_t>(clip.cycles)));
+}
+
+/// One leaf a clip, though both spaces may hold it (an idle).
+void make_leaves(const LocomotionGraph& graph, const Mix& mix, const LocomotionState& state,
+                 LocomotionFrame& frame) noexcept {
+    for (int i = 0; i < mix.count; ++i) {
+        const Active& a = mix.active[i];
+        int at = 0;
+        while (at < frame.leaf_count && frame.leaf[static_cast<std::size_t>(at)].clip != a.clip) ++at;
+        Leaf& leaf = frame.leaf[static_cast<std::size_t>(at)];
+        if (at < frame.leaf_count) {
+            leaf.weight += a.weight;
+            continue;
+        }
+        const PackedClip& clip = graph.clips[static_cast<std::size_t>(a.clip)];
+        leaf = {a.clip, leaf_time(clip, state), a.weight};
+        frame.stepping |= clip.cycles > 0;
+        ++frame.leaf_count;
+    }
+}
+
+}  // namespace
+
+RootFrame integrate(Vec3 velocity, float turn_rate, float seconds) noexcept {
+    const float angle = turn_rate * seconds;
+    float along, across;  // of the mean direction: sin(t)/t and (1 - cos t)/t
+    if (std::fabs(angle) < 0.05f) {
+        const float square = angle * angle;
+        along = 1.0f - square / 6.0f * (1.0f - square / 20.0f);
+        across = 0.5f * angle * (1.0f - square / 12.0f * (1.0f - square / 30.0f));
+    } else {
+        along = sin(angle) / angle;
+        across = (1.0f - cos(angle)) / angle;
+    }
+    return {{seconds * (velocity.x * along + velocity.z * across), seconds * velocity.y,
+             seconds * (velocity.z * along - velocity.x * across)},
+            angle};
+}
+
+LocomotionRequest approach(const LocomotionRequest& current, const LocomotionRequest& wanted, float dt,
+                           const RequestRates& rates) noexcept {
+    LocomotionRequest next = wanted;
+    const float forward = wanted.speed - current.speed, side = wanted.lateral - current.lateral;
+    const float change = std::sqrt(forward * forward + side * side), most = rates.acceleration * dt;
+    if (change > most) {
+        next.speed = current.speed + forward * (most / change);
+        next.lateral = current.lateral + side * (most / change);
+    }
+    const float turn = wanted.turn - current.turn, most_turn = rates.turn_acceleration * dt;
+    if (std::fabs(turn) > most_turn) next.turn = current.turn + (turn > 0 ? most_turn : -most_turn);
+    return next;
+}
+
+LocomotionFrame update(const LocomotionGraph& graph, LocomotionState& state, const LocomotionRequest& request,
+                       float dt) noexcept {
+    LocomotionFrame frame;
+    Mix mix;
+    const Sharing sharing = share_out(graph, request.speed, request.lateral);
+    if (sharing.lateral_share < 1) {
+        const SpacePoint point = point_in(graph.facing, sharing.facing_forward, request.turn, 0);
+        add_space(mix, graph.facing, state.facing_hint, point, request.turn, 1.0f - sharing.lateral_share);
+    }
+    if (sharing.lateral_share > 0) {
+        const SpacePoint point = point_in(graph.lateral, sharing.lateral_forward, request.turn, sharing.lateral_side);
+        add_space(mix, graph.lateral, state.lateral_hint, point, request.turn, sharing.lateral_share);
+    }
+    if (graph.lateral.empty() && std::fabs(request.lateral) > 1e-3f) frame.clamped = true;
+    frame.clamped |= mix.clamped;
+    frame.velocity = mix.velocity;
+    frame.turn = mix.turn * k_degrees_per_radian;
+    frame.phase_rate = phase_rate(graph, mix, state.phase, state.cycle);
+    frame.root_delta = integrate(mix.velocity, mix.turn, dt);
+    advance(state, frame.phase_rate, dt);
+    frame.phase = state.phase;
+    make_leaves(graph, mix, state, frame);
+    return frame;
+}
+
+void pose(const LocomotionGraph& graph, std::span<const Leaf> leaves, std::span<Transform> locals) noexcept {
+    sample_pose(*graph.skeleton, graph.clips, leaves, locals);
+}
+
+}  // namespace surefoot
