@@ -20,7 +20,8 @@ struct Character {
     std::shared_ptr<const Skeleton> skeleton;
     RoleMap roles;
     Legs legs;
-    float hip_height = 0;  ///< [m] of the standing character
+    float hip_height = 0;             ///< [m] of the standing character
+    std::vector<Transform> standing;  ///< model space: the first pose of the clip that stands most nearly still
     LocomotionGraph graph;
     std::vector<ClipFacts> facts;     ///< of graph.clips, in the same order
     std::vector<PackReport> packing;  ///< the same

@@ -1,0 +1,223 @@
+#include <surefoot/bake/pack_clip.h>
+#include <surefoot/bake/steady_root.h>
+#include <surefoot/base/error.h>
+#include <surefoot/clip/sample.h>
+#include <surefoot/graph/locomotion.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+constexpr float k_full_scale = 32767.0f;
+
+std::int16_t to_int16(float x) {
+    return static_cast<std::int16_t>(std::lround(std::min(std::max(x, -1.0f), 1.0f) * k_full_scale));
+}
+
+/// One joint's rotations over the clip, continuous; on the hemisphere of rest for most of it.
+struct JointTrack {
+    std::vector<Quat> rotations;
+    bool turning = false;  ///< some frame is on the other hemisphere
+};
+JointTrack joint_track(const std::vector<Transform>& locals, std::size_t joints, std::size_t joint, Quat rest) {
+    JointTrack track;
+    int other_side = 0;
+    for (std::size_t at = joint; at < locals.size(); at += joints) {
+        const Quat q = normalized(locals[at].rotation);
+        track.rotations.push_back(track.rotations.empty() ? aligned(q, rest) : aligned(q, track.rotations.back()));
+        other_side += dot(track.rotations.back(), rest) < 0;
+    }
+    if (2 * static_cast<std::size_t>(other_side) > track.rotations.size()) {
+        for (Quat& q : track.rotations) q = -q;
+        other_side = static_cast<int>(track.rotations.size()) - other_side;
+    }
+    track.turning = other_side > 0;
+    return track;
+}
+
+void pack_rotations(PackedClip& clip, const Skeleton& skeleton, const std::vector<Transform>& locals) {
+    const std::size_t joints = skeleton.rest.size(), blocks = static_cast<std::size_t>(clip.block_count());
+    const std::size_t frames = static_cast<std::size_t>(clip.frame_count), frame_size = blocks * 4 * k_lanes;
+    clip.rotations.assign(frames * frame_size, 0);
+    for (std::size_t j = 0; j < blocks * k_lanes; ++j) {
+        const std::size_t block = j / k_lanes, lane = j % k_lanes;
+        if (j >= joints) {  // lanes without a joint hold the identity
+            for (std::size_t f = 0; f < frames; ++f)
+                clip.rotations[f * frame_size + block * 4 * k_lanes + 3 * k_lanes + lane] = to_int16(1);
+            continue;
+        }
+        const JointTrack track = joint_track(locals, joints, j, skeleton.rest[j].rotation);
+        if (track.turning) {
+            clip.turning_blocks.resize(blocks);
+            clip.turning_blocks[block] = 1;
+        }
+        for (std::size_t f = 0; f < frames; ++f) {
+            const Quat q = track.rotations[f];
+            std::int16_t* to = clip.rotations.data() + f * frame_size + block * 4 * k_lanes + lane;
+            to[0] = to_int16(q.x);
+            to[k_lanes] = to_int16(q.y);
+            to[2 * k_lanes] = to_int16(q.z);
+            to[3 * k_lanes] = to_int16(q.w);
+        }
+    }
+}
+
+void pack_translations(PackedClip& clip, const Skeleton& skeleton, const std::vector<Transform>& locals, float least) {
+    const std::size_t joints = skeleton.rest.size();
+    for (std::size_t j = 0; j < joints; ++j) {
+        bool moves = false;
+        for (std::size_t at = j; at < locals.size() && !moves; at += joints)
+            moves = distance(locals[at].translation, skeleton.rest[j].translation) > least;
+        if (moves) clip.moving.push_back(static_cast<std::int16_t>(j));
+    }
+    for (std::size_t at = 0; at < locals.size(); at += joints)
+        for (const std::int16_t j : clip.moving)
+            clip.translations.push_back(locals[at + static_cast<std::size_t>(j)].translation);
+}
+
+/// Phase of a strike nearest to `expected`: whole numbers left, halves right.
+float strike_phase(Side foot, float expected) {
+    const float offset = foot == Side::left ? 0.0f : 0.5f;
+    return std::floor(expected - offset + 0.5f) + offset;
+}
+
+// Strikes alternate between the feet in a sound cycle. Where an event is doubtful (two of one foot in a row) the clip
+// has no usable phase, and it plays on its own clock.
+void pack_phase(PackedClip& clip, const ClipFacts& facts) {
+    if (!clip.cyclic) return;
+    const float duration = clip.duration();
+    std::vector<PhaseEvent> strikes;
+    for (const PhaseEvent& event : facts.events) {
+        if (event.kind != StrideEvent::strike) continue;
+        const float time = std::min(std::max(event.time, 0.0f), duration);
+        // A strike on the seam may be reported at both ends; it is one.
+        const float nearest = 0.25f / clip.fps;
+        if (!strikes.empty() && duration - time <= nearest && strikes.front().time <= nearest &&
+            strikes.front().foot == event.foot)
+            continue;
+        strikes.push_back({event.foot, event.kind, time});
+    }
+    std::stable_sort(strikes.begin(), strikes.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+    const std::size_t count = strikes.size();
+    if (count < 2 || count % 2 != 0) return;
+    for (std::size_t i = 0; i < count; ++i) {
+        const PhaseEvent &a = strikes[i], &b = strikes[(i + 1) % count];
+        const float gap = i + 1 < count ? b.time - a.time : b.time + duration - a.time;
+        if (a.foot == b.foot || gap <= 0.5f / clip.fps) return;
+    }
+    clip.cycles = static_cast<int>(count / 2);
+    // Phase of the first frame: between the last strike of the pass before and the first of this one.
+    const PhaseEvent &first = strikes.front(), &last = strikes.back();
+    const float first_phase = first.foot == Side::left ? 1.0f : 0.5f;
+    const float gap = first.time + duration - last.time;
+    float start = first_phase - 0.5f * first.time / gap;
+    const float whole = std::floor(start);
+    start -= whole;
+    clip.phase_map.push_back({0, start});
+    for (std::size_t i = 0; i < count; ++i) {
+        const float phase = first_phase - whole + 0.5f * static_cast<float>(i);
+        const float share = strikes[i].time / duration;
+        // A strike within a thousandth of the ends is the end.
+        if (share > 1e-3f && share < 1 - 1e-3f) clip.phase_map.push_back({share, phase});
+    }
+    clip.phase_map.push_back({1, start + static_cast<float>(clip.cycles)});
+}
+
+/// The motion's poses as seen from a steady root.
+std::vector<Transform> with_deviation(const Motion& motion, const std::vector<RootFrame>& deviation) {
+    std::vector<Transform> locals = motion.locals;
+    const std::size_t joints = motion.skeleton->rest.size();
+    for (std::size_t f = 0; f < deviation.size(); ++f)
+        for (std::size_t j = 0; j < joints; ++j)
+            if (motion.skeleton->parents[j] < 0)
+                locals[f * joints + j] = to_transform(deviation[f]) * locals[f * joints + j];
+    return locals;
+}
+
+/// A clip of one frame becomes two equal ones: a pose that lasts.
+Motion at_least_two_frames(Motion motion) {
+    if (motion.frame_count() == 1) {
+        motion.root.push_back(motion.root[0]);
+        motion.locals.insert(motion.locals.end(), motion.locals.begin(), motion.locals.end());
+        for (std::size_t i = 0; i < motion.locals.size() / 2; ++i)
+            motion.locals[motion.locals.size() / 2 + i] = motion.locals[i];
+    }
+    return motion;
+}
+
+}  // namespace
+
+PackedClip pack_clip(const Motion& given, const ClipFacts& facts, const PackOptions& options, PackReport* report) {
+    if (const std::string text = problem(given); !text.empty())
+        throw Error(text, "clip '" + given.name + "'", "import the clip again");
+    const Motion motion = at_least_two_frames(given);
+    PackedClip clip;
+    clip.name = motion.name;
+    clip.fps = motion.fps;
+    clip.frame_count = motion.frame_count();
+    clip.joint_count = motion.joint_count();
+    clip.cyclic = motion.cyclic;
+    clip.travel = between(motion.root.front(), motion.root.back());
+
+    const SteadyRoot steady = fit_steady_root(motion, options.along_travel);
+    clip.velocity = steady.velocity;
+    clip.turn_rate = steady.turn_rate;
+    std::vector<Transform> locals = motion.locals;
+    if (options.steady_root) {
+        locals = with_deviation(motion, steady.deviation);
+        for (int f = 0; f < clip.frame_count; ++f)
+            clip.root.push_back(integrate(clip.velocity, clip.turn_rate, static_cast<float>(f) / clip.fps));
+        clip.travel = clip.root.back();
+        clip.start = steady.deviation.front();
+    } else {
+        for (const RootFrame& root : motion.root) clip.root.push_back(between(motion.root.front(), root));
+    }
+    pack_rotations(clip, *motion.skeleton, locals);
+    pack_translations(clip, *motion.skeleton, locals, options.moving_translation);
+    pack_phase(clip, facts);
+    if (report != nullptr) {
+        *report = measure_packing(motion, clip);
+        for (const RootFrame& deviation : steady.deviation) {
+            report->root_deviation = std::max(report->root_deviation, length(deviation.position));
+            report->root_deviation_yaw = std::max(report->root_deviation_yaw, std::fabs(deviation.yaw));
+        }
+    }
+    return clip;
+}
+
+PackReport measure_packing(const Motion& given, const PackedClip& clip) {
+    const Motion motion = at_least_two_frames(given);
+    const Skeleton& skeleton = *motion.skeleton;
+    const std::size_t joints = skeleton.rest.size();
+    std::vector<Transform> locals(joints), wanted(joints), got(joints);
+    PackReport report;
+    const RootFrame shift = between(clip.start, RootFrame{});  // lays the motion's first root frame at the origin
+    for (int f = 0; f < clip.frame_count; ++f) {
+        local_to_model(skeleton, motion.frame(f), wanted);
+        const Leaf leaf{0, static_cast<float>(f) / clip.fps, 1};
+        sample_pose(skeleton, {&clip, 1}, {&leaf, 1}, locals);
+        local_to_model(skeleton, locals, got);
+        const Transform wanted_root = to_transform(between(motion.root[0], motion.root[static_cast<std::size_t>(f)]));
+        const Transform got_root = to_transform(shift * clip.root[static_cast<std::size_t>(f)]);
+        for (std::size_t j = 0; j < joints; ++j) {
+            const Transform a = wanted_root * wanted[j], b = got_root * got[j];
+            for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+                const Vec3 vertex = axis * k_virtual_vertex_distance;
+                const float error = distance(transform_point(a, vertex), transform_point(b, vertex));
+                if (error > report.error) {
+                    report.error = error;
+                    report.error_frame = f;
+                    report.error_joint = static_cast<int>(j);
+                }
+            }
+        }
+    }
+    report.bytes = clip.rotations.size() * sizeof(std::int16_t) + clip.translations.size() * sizeof(Vec3);
+    report.raw_bytes = motion.locals.size() * 40;
+    return report;
+}
+
+}  // namespace surefoot
