@@ -1,0 +1,44 @@
+#pragma once
+// Where each clip goes: which spaces a set of clips needs, and the place of every clip in them (DESIGN §6; Delicado &
+// Pelechano 2019, §3.1).
+//
+// Clips that travel roughly where they face (|travel| <= 30 or >= 150 deg), turn on the spot or stand go to "facing"
+// (speed, turn); sideways ones to "lateral" (forward, lateral), which shares the idle. Samples on one axis become a 1-D
+// space.
+
+#include <surefoot/author/project.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+inline constexpr float k_facing_travel = 30;  ///< [deg] off straight ahead (or back) that still counts as facing
+inline constexpr float k_standing_speed =
+    0.1f;                                     ///< [m/s] below it a clip does not travel (two cycles this near are one)
+inline constexpr float k_standing_turn = 10;  ///< [deg/s] below it a clip does not turn, for the same reason
+
+/// Neither travels nor turns.
+bool is_idle(const ClipFacts& facts);
+
+/// The value of a clip on an axis: "speed", "turn", "forward", "lateral", "slope". NaN for other names.
+float axis_value(const ClipFacts& facts, std::string_view axis);
+
+/// An axis of that name without limits yet. Throws Error for a name that is not known.
+Axis make_axis(std::string_view name);
+
+/// Limits that hold `values` and 0, rounded out to a step a person would choose; turn and lateral are symmetric, turn
+/// at least 90 deg/s either way.
+void set_limits(Axis& axis, std::span<const float> values);
+
+/// Builds, places and triangulates the spaces of `project` from its clips that are not excluded. `axes` asks for
+/// certain spaces ("speed,turn"); empty: as many as the clips need. Pinned places, pinned axes and locked edges of
+/// `before` (the project as the user left it, may be null) are kept; what could not be kept is told in `warnings`.
+void place_clips(Project& project, std::span<const std::string> axes, const Project* before,
+                 std::vector<std::string>& warnings);
+
+/// A place in words: "1.4 m/s forward, turning 90 deg/s to the left". `axes` and `values` run in parallel.
+std::string describe_place(std::span<const Axis> axes, std::span<const float> values);
+
+}  // namespace surefoot
