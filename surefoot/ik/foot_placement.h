@@ -18,12 +18,14 @@
 //
 // State is one trivially copyable block: saving and rolling back is memcpy. No call allocates or throws.
 
-#include <surefoot/ground/ground.h>
-#include <surefoot/rig/leg.h>
+#include <surefoot/ik/hips.h>
+#include <surefoot/ik/plant.h>
+#include <surefoot/ik/swing_hump.h>
 
 #include <array>
 #include <memory>
 #include <span>
+#include <type_traits>
 
 namespace surefoot {
 
@@ -34,9 +36,8 @@ const char* foot_mode_name(FootMode mode) noexcept;
 
 struct FootSettings {
     FootMode mode = FootMode::surefoot;
-    float reach = 0.975f;      ///< share of a leg's length that the hips leave it, where the clip does not ask more
-    float hip_window = 0.35f;  ///< [s] over which the hips give way to a leg that would be too short
-    float hip_stiffness = 8;   ///< [1/s] of the critically damped spring on the footholds' heights
+    float reach = 0.975f;     ///< share of a leg's length that the hips leave it, where the clip does not ask more
+    float hip_stiffness = 8;  ///< [1/s] of the critically damped spring on the footholds' heights
     float swing_clearance =
         0.02f;                    ///< [m] at most, between a swinging sole and the ground; less where the clip has less
     float search_along = 0.16f;   ///< [m] how far a foothold may move along the foot to find firmer ground
@@ -71,8 +72,8 @@ struct FootRig {
     std::array<Vec3, 2> knee_forward;            ///< in the thigh's frame: where a straight knee would bend to
     std::array<std::int16_t, 2> upper_parent{};  ///< joints, or k_no_joint
     std::array<std::int16_t, 2> lower_parent{}, foot_parent{};
-    int hips_parent = k_no_joint;
-    std::shared_ptr<const struct SwingSolver> solver;  ///< the swing programme's constant matrices
+    int hips = k_no_joint, hips_parent = k_no_joint;
+    std::shared_ptr<const SwingSolver> solver;  ///< the swing programme's constant matrices
 };
 
 /// `standing` is the pose, in model space, that `legs` was made from: it tells where knees bend to.
@@ -82,56 +83,34 @@ FootRig make_foot_rig(const Skeleton& skeleton, const Legs& legs, std::span<cons
 /// The legs of a pose in model space (joint_count() transforms).
 LegsPose read_legs(const FootRig& rig, std::span<const Transform> models) noexcept;
 
-/// One rigid transform for a whole stance: T(p) = foothold + (v - v_c) + tilt v_c with v = p - centre. |v_c| is |v|
-/// near the plant and saturates, so that a foot far from its plant is not swung about it.
-struct Plant {
-    Vec3 centre;    ///< [m] world: middle of heel and ball in the clip, on flat ground (y = 0)
-    Vec3 foothold;  ///< [m] world: where that point goes
-    Quat tilt;      ///< flat ground to the ground there
-};
-Vec3 planted(const Plant& plant, Vec3 point) noexcept;
-
-/// The hump of a swing, added to the blend of its two plants: a cubic B-spline that is 0 with slope 0 at both ends.
-inline constexpr int k_hump_free = 10;  ///< its free coefficients
-struct Hump {
-    std::array<float, k_hump_free> coefficients{};
-};
-
+/// What foot placement remembers of one foot.
 struct FootState {
-    Plant plant, next;  ///< the one it stands on or left last, and the one to come
-    bool swinging = false;
+    Plant plant;  ///< the one it stands on or left last
+    Plant next;   ///< the one to come, where `has_next`
     bool has_next = false;
-    double lift = 0, strike = 0;  ///< [s] on the state's clock; of the coming or running swing
-    double hump_from = 0;         ///< [s] where the hump begins: lift, or the time of replanning
+    double lift = 0, strike = 0;  ///< [s] on the state's clock: the coming or running swing
+    double hump_from = 0;         ///< [s] when `hump` begins: the lift, or a replanning in mid-swing
     Hump hump;
-    Vec3 hump_value;  ///< vertical [m], its rate [m/s] left over at hump_from, and unused
-    // What replanning left over, fading out by the strike: it keeps position and velocity continuous.
-    double fade_from = 0, fade_to = 0;
-    Vec3 fade_offset, fade_rate;  ///< [m], [m/s]
+    Vec3 strike_probe;  ///< [m] where the clip's foot was to be at the strike when this was planned
+    // What replanning left over, fading out by the strike, so that position and velocity go on without a jump.
+    double fade_from = 0, fade_until = 0;
+    Vec3 fade_offset, fade_rate;  ///< [m], [m/s] level
     Vec3 fade_turn;               ///< [rad] rotation vector
 };
 
-inline constexpr int k_reach_slots = 40;  ///< at 30 a second: the past and future that the hips' filter needs
-inline constexpr int k_step_slots = 8;
-
-/// A character's feet. Zero-initialised is "not started"; a teleport resets to that.
+/// A character's feet. As constructed it is "not started"; a teleport goes back to that.
 struct FootPlacementState {
-    bool started = false;
     double clock = 0;       ///< [s] since the start
     double next_plan = 0;   ///< [s] plan at the latest then
-    double next_check = 0;  ///< [s] look at the coming foothold again then
+    double next_check = 0;  ///< [s] look at the coming footholds again then
     std::array<FootState, 2> feet;
-    float base = 0, base_rate = 0;             ///< [m], [m/s] hips' base height: a spring on the footholds
-    std::int64_t reach_slot = 0;               ///< slot number of reach[0]'s time, ring otherwise
-    std::array<float, k_reach_slots> reach{};  ///< [m] by how much a leg is too short for the base (<= 0), ring by slot
-    struct Step {
-        float time = 0, height = 0;  ///< [s] after `clock_of_steps`, [m]
-    };
-    std::array<Step, k_step_slots> steps{};  ///< mid-stances, past and to come, ascending
-    int step_count = 0;
-    double clock_of_steps = 0;
-    int plans = 0;  ///< how often it planned, for tests and profiling
+    FootholdLine line;
+    HeightSpring base;  ///< of the hips, before the legs' reach
+    HipLimiter limiter;
+    std::int32_t plans = 0;  ///< how often it planned: for tests and profiles
+    bool started = false;
 };
+static_assert(std::is_trivially_copyable_v<FootPlacementState>);
 
 struct FootInput {
     float dt = 0;           ///< [s] since the last call; 0 at the first
@@ -146,6 +125,7 @@ struct FootOutput {
         Quat upper, lower, foot;  ///< new local rotations
     };
     std::array<LegRotations, 2> leg;
+    bool moves_legs = false;          ///< false: the legs stay as they were, `leg` is not set
     std::array<bool, 2> planted{};    ///< stands on its foothold
     std::array<bool, 2> pulled_in{};  ///< could not reach its target
 };

@@ -1,0 +1,63 @@
+#pragma once
+// The legs over the coming second, un-placed, on flat ground: what planning reads. Inner header of the ik room.
+
+#include <surefoot/ik/foot_placement.h>
+
+namespace surefoot {
+
+/// One leg at one moment, in the world, on flat ground (y = 0 under the root).
+struct LegPoints {
+    Vec3 hip, knee, ankle, heel, ball, toe_tip;
+};
+
+/// A leg with the world rotations that placing changes.
+struct WorldLeg {
+    LegPoints points;
+    Quat upper, lower, foot;
+    Quat upper_parent, lower_parent, foot_parent;
+};
+WorldLeg world_leg(const Leg& leg, const LegPose& pose, const RootFrame& root) noexcept;
+
+/// Consecutive samples in which a foot stands: heel or ball low and slow.
+struct ContactRun {
+    int first = 0, last = 0;
+};
+
+struct Forecast {
+    static constexpr int k_rate = 60;     ///< [1/s] samples a second
+    static constexpr int k_samples = 73;  ///< 1.2 s: the swing to come and most of the stance after it
+    static constexpr int k_most_runs = 4;
+
+    double start = 0;  ///< [s] clock of sample 0
+    std::array<std::array<LegPoints, k_samples>, 2> legs;
+    std::array<Vec3, k_samples> root;
+    std::array<std::array<ContactRun, k_most_runs>, 2> runs;
+    std::array<int, 2> run_count{};
+    std::array<std::array<bool, k_samples>, 2> heel_down, ball_down;
+
+    double time(int sample) const noexcept { return start + static_cast<double>(sample) / k_rate; }
+    /// Smooth between the samples, held outside them.
+    LegPoints at(std::size_t side, double clock) const noexcept;
+    /// Mean outline of a run, from the samples in which heel and ball are both down where there are enough.
+    Footprint footprint(std::size_t side, const ContactRun& run, float leg_length) const noexcept;
+    /// When the root passes `place`, if it does between the samples; else `otherwise`.
+    double passing(Vec3 place, double otherwise) const noexcept;
+};
+
+/// Asks the preview and finds the contacts.
+void look_ahead(const FootRig& rig, double clock, const LegPreview& preview, Forecast& forecast) noexcept;
+
+/// Where a foot goes: its ankle, and the rotation to put on top of the clip's.
+struct PlacedFoot {
+    Vec3 ankle;
+    Quat tilt;
+};
+PlacedFoot place_foot(const FootState& foot, double clock, const LegPoints& points, float leg_length) noexcept;
+
+/// Plans both feet and the hips for the coming second.
+void plan_feet(const FootRig& rig, FootPlacementState& state, const GroundProbe& probe,
+               const LegPreview& preview) noexcept;
+
+inline constexpr double k_never = 1e30;  ///< [s] a foot that does not lift within sight
+
+}  // namespace surefoot

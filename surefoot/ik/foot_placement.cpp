@@ -1,0 +1,238 @@
+#include <surefoot/ik/foot_forecast.h>
+#include <surefoot/ik/two_bone.h>
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr double k_check_interval = 1.0 / 15;  // [s] how often a coming foothold is looked at again
+constexpr float k_moved = 0.02f;               // [m] by which steering must have moved it to plan anew
+constexpr double k_too_late = 0.06;            // [s] before a strike nothing is planned anew
+constexpr float k_spring_step = 1.0f / 60;     // [s] the forecast's step: longer frames are cut into such
+
+GroundProbe probe_for(const FootRig& rig, const FootInput& input, const Ground& ground) noexcept {
+    GroundProbe probe{ground, input.root.position.y, rig.settings.ground_up, rig.settings.ground_down,
+                      input.root.position.y};
+    probe.fallback = probe.height(input.root.position.x, input.root.position.z);
+    return probe;
+}
+
+/// New local rotations from world rotations to put before the animated ones.
+FootOutput::LegRotations to_locals(const WorldLeg& leg, Quat upper, Quat lower, Quat foot) noexcept {
+    return {normalized(conjugate(leg.upper_parent) * upper * leg.upper),
+            normalized(conjugate(upper * leg.lower_parent) * lower * leg.lower),
+            normalized(conjugate(lower * leg.foot_parent) * foot * leg.foot)};
+}
+
+Vec3 world_knee_forward(const FootRig& rig, std::size_t side, const WorldLeg& leg) noexcept {
+    return rotate(leg.upper, rig.knee_forward[side]);
+}
+
+// --- mode none
+
+void place_root(const FootInput& input, const GroundProbe& probe, FootOutput& output) noexcept {
+    output = {};
+    output.hips_offset = probe.fallback - input.root.position.y;
+}
+
+// --- mode colvin2013
+
+/// The side of the thigh to which the knee bends, perpendicular to it.
+Vec3 thigh_forward(const FootRig& rig, std::size_t side, const WorldLeg& leg) noexcept {
+    const LegPoints& p = leg.points;
+    const Vec3 thigh = normalized(p.knee - p.hip), off = p.knee - p.ankle;
+    const Vec3 bend = off - thigh * dot(off, thigh), hint = world_knee_forward(rig, side, leg);
+    return length(bend) > 0.02f * length(off) ? normalized(bend)
+                                              : normalized(hint - thigh * dot(hint, thigh), {0, 0, 1});
+}
+
+void place_colvin(const FootRig& rig, const FootInput& input, const GroundProbe& probe, FootOutput& output) noexcept {
+    const float ground = probe.fallback;  // the root stands on the ground under it
+    std::array<WorldLeg, 2> legs;
+    std::array<Vec3, 2> targets;
+    float lowered = 0;
+    for (std::size_t side = 0; side < 2; ++side) {
+        legs[side] = world_leg(rig.legs.side[side], input.legs.side[side], input.root);
+        const LegPoints& p = legs[side].points;
+        // Step 1: ground under the animated foot, plus the animated foot's own height.
+        targets[side] = {p.ankle.x, probe.height(p.ankle.x, p.ankle.z) + p.ankle.y, p.ankle.z};
+        // Step 2: where thigh and calf cannot reach, the root sinks.
+        const float reach = distance(p.hip, p.knee) + distance(p.knee, p.ankle);
+        lowered = std::min(lowered, colvin_step2_lower_root(p.hip + k_up * ground, targets[side], reach));
+    }
+    output = {};
+    output.moves_legs = true;
+    output.hips_offset = ground + lowered - input.root.position.y;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const WorldLeg& leg = legs[side];
+        const Vec3 lift = k_up * (ground + lowered);
+        ColvinInput in;
+        in.hip = leg.points.hip + lift;
+        in.knee = leg.points.knee + lift;
+        in.ankle = leg.points.ankle + lift;
+        in.target = targets[side];
+        in.forward = rotate(from_yaw(input.root.yaw), {0, 0, 1});
+        in.upper_forward = thigh_forward(rig, side, leg);
+        const TwoBoneResult solved = solve_colvin(in);
+        // The foot keeps its rotation relative to the calf: the paper turns thigh and calf only.
+        output.leg[side] = to_locals(leg, solved.upper, solved.lower, solved.lower);
+        output.pulled_in[side] = solved.pulled_in;
+        output.planted[side] = false;
+    }
+}
+
+// --- mode surefoot
+
+/// True where steering has moved a foothold that a foot is swinging to.
+bool foothold_moved(const FootRig& rig, const FootPlacementState& state, const LegPreview& preview) noexcept {
+    for (std::size_t side = 0; side < 2; ++side) {
+        const FootState& foot = state.feet[side];
+        if (!foot.has_next || state.clock < foot.lift || foot.strike - state.clock < k_too_late) continue;
+        const auto ahead = static_cast<float>(foot.strike - state.clock);
+        LegsPose legs;
+        RootFrame root;
+        preview.sample({&ahead, 1}, {&legs, 1}, {&root, 1});
+        const LegPoints p = world_leg(rig.legs.side[side], legs.side[side], root).points;
+        if (planar_length((p.heel + p.ball) * 0.5f - foot.strike_probe) > k_moved) return true;
+    }
+    return false;
+}
+
+void advance(const FootRig& rig, FootPlacementState& state, float dt) noexcept {
+    const float stiffness = rig.settings.hip_stiffness;
+    const double lead = 2.0 / static_cast<double>(stiffness);
+    constexpr int k_most_steps = 60;
+    const int steps = std::clamp(static_cast<int>(std::ceil(dt / k_spring_step - 0.01f)), 1, k_most_steps);
+    const float step = dt / static_cast<float>(steps);
+    for (int i = 0; i < steps; ++i) {
+        state.clock += static_cast<double>(step);
+        state.base.step(state.line.at(state.clock + lead), stiffness, step);
+    }
+}
+
+void place_planned(const FootRig& rig, FootPlacementState& state, const FootInput& input, const GroundProbe& probe,
+                   const LegPreview& preview, FootOutput& output) noexcept {
+    if (input.teleport) state = {};
+    bool plan = !state.started;
+    if (!plan) {
+        advance(rig, state, std::max(input.dt, 0.0f));
+        for (FootState& foot : state.feet)
+            if (foot.has_next && state.clock >= foot.strike) {
+                foot.plant = foot.next;
+                foot.has_next = false;
+                foot.lift = foot.strike = k_never;
+                plan = true;
+            }
+        plan |= state.clock >= state.next_plan;
+        if (!plan && state.clock >= state.next_check) {
+            plan = foothold_moved(rig, state, preview);
+            state.next_check = state.clock + k_check_interval;
+        }
+    }
+    if (plan) plan_feet(rig, state, probe, preview);
+
+    const float hips = state.base.value + state.limiter.at(state.clock);
+    output = {};
+    output.moves_legs = true;
+    output.hips_offset = hips - input.root.position.y;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const WorldLeg leg = world_leg(rig.legs.side[side], input.legs.side[side], input.root);
+        const FootState& foot = state.feet[side];
+        const PlacedFoot placed = place_foot(foot, state.clock, leg.points, rig.legs.side[side].length());
+        TwoBone in;
+        in.hip = leg.points.hip + k_up * hips;
+        in.knee = leg.points.knee + k_up * hips;
+        in.ankle = leg.points.ankle + k_up * hips;
+        in.target = placed.ankle;
+        in.knee_forward = world_knee_forward(rig, side, leg);
+        const TwoBoneResult solved = solve_two_bone(in);
+        output.leg[side] = to_locals(leg, solved.upper, solved.lower, placed.tilt);
+        output.pulled_in[side] = solved.pulled_in;
+        output.planted[side] = !foot.has_next || state.clock < foot.lift;
+    }
+}
+
+}  // namespace
+
+const char* foot_mode_name(FootMode mode) noexcept {
+    switch (mode) {
+        case FootMode::none:
+            return "none";
+        case FootMode::colvin2013:
+            return "colvin2013";
+        case FootMode::surefoot:
+            break;
+    }
+    return "surefoot";
+}
+
+FootRig make_foot_rig(const Skeleton& skeleton, const Legs& legs, std::span<const Transform> standing,
+                      const FootSettings& settings) {
+    FootRig rig;
+    rig.legs = legs;
+    rig.settings = settings;
+    rig.solver = std::make_shared<const SwingSolver>();
+    const auto parent = [&](int joint) { return skeleton.parents[static_cast<std::size_t>(joint)]; };
+    rig.hips = legs.hips;
+    rig.hips_parent = parent(legs.hips);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Leg& leg = legs.side[side];
+        rig.upper_parent[side] = parent(leg.upper);
+        rig.lower_parent[side] = parent(leg.lower);
+        rig.foot_parent[side] = parent(leg.foot);
+        // Knees bend to where the toes point.
+        const Transform& foot = standing[static_cast<std::size_t>(leg.foot)];
+        const Transform& upper = standing[static_cast<std::size_t>(leg.upper)];
+        rig.knee_forward[side] = rotate(conjugate(upper.rotation), rotate(foot.rotation, leg.forward));
+    }
+    return rig;
+}
+
+LegsPose read_legs(const FootRig& rig, std::span<const Transform> models) noexcept {
+    const auto at = [&](int joint) { return models[static_cast<std::size_t>(joint)]; };
+    const auto rotation = [&](int joint) { return joint == k_no_joint ? Quat{} : at(joint).rotation; };
+    LegsPose pose;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Leg& leg = rig.legs.side[side];
+        LegPose& out = pose.side[side];
+        out.upper = at(leg.upper);
+        out.lower = at(leg.lower);
+        out.foot = at(leg.foot);
+        out.toes = leg.toes == k_no_joint ? out.foot : at(leg.toes);
+        out.upper_parent = rotation(rig.upper_parent[side]);
+        out.lower_parent = rotation(rig.lower_parent[side]);
+        out.foot_parent = rotation(rig.foot_parent[side]);
+    }
+    return pose;
+}
+
+void place_feet(const FootRig& rig, FootPlacementState& state, const FootInput& input, const Ground& ground,
+                const LegPreview* preview, FootOutput& output) noexcept {
+    const GroundProbe probe = probe_for(rig, input, ground);
+    switch (rig.settings.mode) {
+        case FootMode::none:
+            return place_root(input, probe, output);
+        case FootMode::colvin2013:
+            return place_colvin(rig, input, probe, output);
+        case FootMode::surefoot:
+            if (!preview) return place_colvin(rig, input, probe, output);
+            return place_planned(rig, state, input, probe, *preview, output);
+    }
+}
+
+void apply(const FootRig& rig, const FootOutput& output, std::span<const Transform> models,
+           std::span<Transform> locals) noexcept {
+    const Quat parent =
+        rig.hips_parent == k_no_joint ? Quat{} : models[static_cast<std::size_t>(rig.hips_parent)].rotation;
+    locals[static_cast<std::size_t>(rig.hips)].translation += rotate(conjugate(parent), k_up * output.hips_offset);
+    if (!output.moves_legs) return;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Leg& leg = rig.legs.side[side];
+        locals[static_cast<std::size_t>(leg.upper)].rotation = output.leg[side].upper;
+        locals[static_cast<std::size_t>(leg.lower)].rotation = output.leg[side].lower;
+        locals[static_cast<std::size_t>(leg.foot)].rotation = output.leg[side].foot;
+    }
+}
+
+}  // namespace surefoot

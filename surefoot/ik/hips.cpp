@@ -1,0 +1,92 @@
+#include <surefoot/ik/hips.h>
+
+#include <surefoot/math/trig.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+float FootholdLine::at(double time) const noexcept {
+    if (count == 0) return 0;
+    const auto pass = [&](int i) -> const FootholdPass& { return passes[static_cast<std::size_t>(i)]; };
+    if (time <= pass(0).time) return pass(0).height;
+    for (int i = 1; i < count; ++i)
+        if (time < pass(i).time) {
+            const auto share = static_cast<float>((time - pass(i - 1).time) / (pass(i).time - pass(i - 1).time));
+            return pass(i - 1).height + (pass(i).height - pass(i - 1).height) * share;
+        }
+    return pass(count - 1).height;
+}
+
+void FootholdLine::add(FootholdPass added) noexcept {
+    constexpr double k_same = 0.08;  // [s] both feet of a standing character; a polyline needs time between its points
+    for (int i = 0; i < count; ++i) {
+        FootholdPass& pass = passes[static_cast<std::size_t>(i)];
+        if (std::fabs(pass.time - added.time) < k_same) {
+            pass.height = 0.5f * (pass.height + added.height);
+            return;
+        }
+    }
+    if (count == k_capacity) {
+        std::move(passes.begin() + 1, passes.end(), passes.begin());
+        --count;
+    }
+    int place = count;
+    while (place > 0 && passes[static_cast<std::size_t>(place - 1)].time > added.time) {
+        passes[static_cast<std::size_t>(place)] = passes[static_cast<std::size_t>(place - 1)];
+        --place;
+    }
+    passes[static_cast<std::size_t>(place)] = added;
+    ++count;
+}
+
+void FootholdLine::keep_past(double time) noexcept {
+    while (count > 0 && passes[static_cast<std::size_t>(count - 1)].time > time) --count;
+    constexpr int k_kept = 2;
+    if (count <= k_kept) return;
+    std::move(passes.begin() + (count - k_kept), passes.begin() + count, passes.begin());
+    count = k_kept;
+}
+
+void HeightSpring::step(float target, float stiffness, float dt) noexcept {
+    const float decay = exp(-stiffness * dt), offset = value - target, c = rate + stiffness * offset;
+    value = target + (offset + c * dt) * decay;
+    rate = (rate - stiffness * c * dt) * decay;
+}
+
+void HipLimiter::fill(double time, float shortfall) noexcept {
+    ring_.fill(std::min(shortfall, 0.0f));
+    last_ = static_cast<std::int64_t>(std::floor(time * k_rate)) + 1;
+}
+
+void HipLimiter::set(std::int64_t slot, float shortfall) noexcept {
+    const float latest = get(last_);
+    for (std::int64_t between = std::max(last_ + 1, slot - k_slots); between < slot; ++between)
+        ring_[static_cast<std::size_t>(between % k_slots)] = latest;
+    ring_[static_cast<std::size_t>(slot % k_slots)] = std::min(shortfall, 0.0f);
+    last_ = std::max(last_, slot);
+}
+
+float HipLimiter::get(std::int64_t slot) const noexcept {
+    slot = std::clamp(slot, std::max<std::int64_t>(last_ - k_slots + 1, 0), last_);
+    return ring_[static_cast<std::size_t>(slot % k_slots)];
+}
+
+float HipLimiter::at(double time) const noexcept {
+    const double now = std::max(time, 0.0) * k_rate;
+    const auto middle = static_cast<std::int64_t>(std::floor(now));
+    float sum = 0, weights = 0;
+    for (std::int64_t i = middle - k_half; i <= middle + k_half + 1; ++i) {
+        const auto x = static_cast<float>((now - static_cast<double>(i)) / k_half);
+        if (x <= -1 || x >= 1) continue;
+        const float inside = 1 - x * x, weight = inside * inside * inside;
+        float least = 0;
+        for (std::int64_t j = i - k_half; j <= i + k_half; ++j) least = std::min(least, get(j));
+        sum += weight * least;
+        weights += weight;
+    }
+    return weights > 0 ? sum / weights : 0;
+}
+
+}  // namespace surefoot

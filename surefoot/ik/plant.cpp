@@ -1,0 +1,167 @@
+#include <surefoot/ik/plant.h>
+
+#include <algorithm>
+#include <array>
+
+namespace surefoot {
+namespace {
+
+// All constants below in centimetres, as tuned on the courses (docs/feet.md); the fit works in them.
+constexpr float k_cm = 100;
+constexpr int k_fit_rounds = 4;           // pitch settles within these on anything but noise
+constexpr float k_overhang = 1.12f;       // the sole counts as reaching this much of its half length behind the middle
+constexpr float k_toe_weight = 0.35f;     // missing support under the toe tip counts less
+constexpr float k_protrusion = 3;         // ground that stands into the sole counts more than ground missing below
+constexpr float k_toe_protrusion = 0.6f;  // but less under the toes, which bend
+constexpr float k_worst_gap = 6, k_worst_wall = 10;
+constexpr float k_wall_weight = 0.1f;  // of ground just ahead of the toe or behind the heel
+constexpr float k_along_scale = 6, k_across_scale = 3;
+constexpr float k_steep_deg = 35, k_steep_scale_deg = 5;
+constexpr float k_plain_cost = 0.02f;  // the ground is plain here: no search
+constexpr int k_columns = 9, k_rows = 3;
+
+struct Fit {
+    float height = 0, rise_along = 0, rise_across = 0;  // [m], [1], [1]
+    float cost = 0;
+};
+
+float square(float x) noexcept { return x * x; }
+
+/// Pitch from heel and ball, roll from the slopes beside both.
+Fit fit_plane(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundProbe& probe) noexcept {
+    Fit fit;
+    float cosine = 1, heel = 0, ball = 0;
+    const Vec3 side = lateral * foot.half_width;
+    for (int round = 0; round < k_fit_rounds; ++round) {
+        const Vec3 half = foot.forward * (foot.half_length * cosine);
+        heel = probe.height(centre.x - half.x, centre.z - half.z);
+        ball = probe.height(centre.x + half.x, centre.z + half.z);
+        const float rise = (ball - heel) / (2 * foot.half_length * cosine);
+        const float change = std::fabs(rise - fit.rise_along);
+        fit.rise_along = rise;
+        cosine = 1 / std::sqrt(1 + rise * rise);
+        if (change < 1e-5f) break;
+    }
+    const Vec3 half = foot.forward * (foot.half_length * cosine);
+    const std::array<Vec3, 4> beside{centre - half + side, centre - half - side, centre + half + side,
+                                     centre + half - side};
+    std::array<float, 4> h;
+    probe.heights(beside, h);
+    fit.rise_across = ((h[0] - h[1]) + (h[2] - h[3])) / (4 * foot.half_width);
+    fit.height = 0.5f * (heel + ball);
+    return fit;
+}
+
+float unevenness(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundProbe& probe, const Fit& fit) noexcept {
+    const float cosine = 1 / std::sqrt(1 + fit.rise_along * fit.rise_along);
+    const float back = -k_overhang * foot.half_length, front = foot.tip;
+    std::array<Vec3, k_columns * k_rows + 4> places;
+    std::array<float, places.size()> heights, plane;
+    const auto put = [&](std::size_t i, float u, float v) {
+        places[i] = centre + foot.forward * u + lateral * v;
+        plane[i] = fit.height + u * fit.rise_along + v * fit.rise_across;
+    };
+    for (int i = 0; i < k_columns; ++i)
+        for (int j = 0; j < k_rows; ++j)
+            put(static_cast<std::size_t>(i * k_rows + j),
+                (back + (front - back) * static_cast<float>(i) / (k_columns - 1)) * cosine,
+                foot.half_width * static_cast<float>(j - 1));
+    constexpr std::size_t walls = k_columns * k_rows;
+    put(walls, (front + 0.02f) * cosine, 0);
+    put(walls + 1, (front + 0.04f) * cosine, 0);
+    put(walls + 2, -(foot.half_length + 0.03f) * cosine, 0);
+    put(walls + 3, -(foot.half_length + 0.06f) * cosine, 0);
+    probe.heights(places, heights);
+
+    float cost = 0;
+    for (std::size_t i = 0; i < walls; ++i) {
+        const float gap = (heights[i] - plane[i]) * k_cm;
+        const bool toe = dot(places[i] - centre, foot.forward) > foot.half_length * 1.05f;
+        cost += (toe ? k_toe_weight : 1.0f) * square(std::min(std::fabs(gap), k_worst_gap)) / walls;
+        cost += k_protrusion * (toe ? k_toe_protrusion : 1.0f) * square(std::max(0.0f, gap)) / walls;
+    }
+    for (std::size_t i = walls; i < places.size(); ++i)
+        cost += k_wall_weight * 0.5f * square(std::clamp((heights[i] - plane[i]) * k_cm, 0.0f, k_worst_wall));
+    return cost;
+}
+
+Fit judge(const Footprint& foot, float along, float across, const GroundProbe& probe, Vec3 lateral) noexcept {
+    const Vec3 centre = foot.centre + foot.forward * along + lateral * across;
+    Fit fit = fit_plane(foot, centre, lateral, probe);
+    const float pitch_deg = std::fabs(atan2(fit.rise_along, 1.0f)) * k_degrees_per_radian;
+    fit.cost = unevenness(foot, centre, lateral, probe, fit) + 0.5f * square(along * k_cm / k_along_scale) +
+               square(across * k_cm / k_across_scale) +
+               square(std::max(0.0f, pitch_deg - k_steep_deg) / k_steep_scale_deg);
+    return fit;
+}
+
+}  // namespace
+
+float GroundProbe::height(float x, float z) const noexcept {
+    const Vec3 place{x, 0, z};
+    float h = fallback;
+    heights({&place, 1}, {&h, 1});
+    return h;
+}
+
+void GroundProbe::heights(std::span<const Vec3> places, std::span<float> out) const noexcept {
+    std::array<GroundQuery, k_batch> queries;
+    std::array<GroundHit, k_batch> hits;
+    const std::size_t count = std::min(places.size(), k_batch);
+    for (std::size_t i = 0; i < count; ++i) queries[i] = {{places[i].x, level, places[i].z}, up, down};
+    ground.query({queries.data(), count}, {hits.data(), count});
+    for (std::size_t i = 0; i < count; ++i) out[i] = hits[i].hit ? hits[i].height : fallback;
+}
+
+Vec3 planted(const Plant& plant, Vec3 point, float leg_length) noexcept {
+    const Vec3 v = point - plant.centre;
+    const float r = length(v), free = 0.3f * leg_length, longest = 0.47f * leg_length;
+    Vec3 lever = v;
+    if (r > free) {
+        const float x = (r - free) / (longest - free);
+        lever = v * ((free + (longest - free) * x / (1 + x)) / r);
+    }
+    // As displacement: exact where the tilt is the identity.
+    return point + (plant.foothold - plant.centre) + (rotate(plant.tilt, lever) - lever);
+}
+
+Footprint make_footprint(Vec3 heel, Vec3 ball, Vec3 toe_tip, float leg_length) noexcept {
+    Footprint foot;
+    heel.y = ball.y = toe_tip.y = 0;
+    foot.centre = (heel + ball) * 0.5f;
+    foot.forward = normalized(ball - heel);
+    foot.half_length = std::max(0.5f * distance(heel, ball), 0.02f * leg_length);
+    foot.tip = std::max(dot(toe_tip - foot.centre, foot.forward), foot.half_length);
+    foot.half_width = 0.045f * leg_length;
+    return foot;
+}
+
+Plant find_foothold(const Footprint& foot, const GroundProbe& probe, float along, float across) noexcept {
+    const Vec3 lateral{foot.forward.z, 0, -foot.forward.x};
+    float u = 0, v = 0;
+    Fit best = judge(foot, 0, 0, probe, lateral);
+    const auto consider = [&](float try_u, float try_v) {
+        const Fit fit = judge(foot, try_u, try_v, probe, lateral);
+        if (fit.cost < best.cost - 1e-6f) best = fit, u = try_u, v = try_v;
+    };
+    if (best.cost > k_plain_cost && along > 0) {
+        constexpr int coarse = 4, sides = 2;
+        for (int i = -coarse; i <= coarse; ++i)
+            for (int j = -sides; j <= sides; ++j)
+                if (i || j) consider(along * static_cast<float>(i) / coarse, across * static_cast<float>(j) / sides);
+        for (float step = along / coarse / 2; step > 0.008f; step *= 0.5f) {
+            const float middle = u;
+            consider(middle - step, v);
+            consider(middle + step, v);
+        }
+    }
+    Plant plant;
+    plant.centre = foot.centre;
+    plant.foothold = foot.centre + foot.forward * u + lateral * v;
+    plant.foothold.y = best.height;
+    const Vec3 normal = normalized(cross(foot.forward + k_up * best.rise_along, lateral + k_up * best.rise_across));
+    plant.tilt = rotation_between(k_up, normal);
+    return plant;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,60 @@
+#include <surefoot/ground/shapes.h>
+#include <surefoot/ik/plant.h>
+
+#include <gtest/gtest.h>
+
+namespace surefoot {
+namespace {
+
+GroundProbe probe_of(const Ground& ground) { return {ground, 0, 5, 5, 0}; }
+Footprint foot_at(float x, float z) {
+    return make_footprint({x, 0.01f, z - 0.1f}, {x, 0, z + 0.08f}, {x, 0, z + 0.14f}, 0.85f);
+}
+
+TEST(Plant, on_flat_ground_it_is_the_identity) {
+    const Plane flat;
+    const Plant plant = find_foothold(foot_at(0.1f, 3), probe_of(flat), 0.16f, 0.06f);
+    for (const Vec3 p : {Vec3{0.1f, 0.08f, 2.9f}, Vec3{0.3f, 0.5f, 4}, Vec3{-2, 1, 0}})
+        EXPECT_LT(distance(planted(plant, p, 0.85f), p), 1e-6f);
+}
+
+TEST(Plant, on_a_slope_the_sole_lies_on_it_and_the_foot_stays_where_it_steps) {
+    const Plane slope(0.1f, 0.3f, 0.2f);
+    const Footprint foot = foot_at(0.1f, 3);
+    const Plant plant = find_foothold(foot, probe_of(slope), 0.16f, 0.06f);
+    EXPECT_NEAR(plant.foothold.x, foot.centre.x, 1e-5f);
+    EXPECT_NEAR(plant.foothold.z, foot.centre.z, 1e-5f);
+    for (const Vec3 p : {Vec3{0.1f, 0, 2.9f}, Vec3{0.1f, 0, 3.08f}, Vec3{0.14f, 0, 3.14f}, Vec3{0.05f, 0, 2.9f}}) {
+        const Vec3 q = planted(plant, p, 0.85f);
+        EXPECT_NEAR(q.y, 0.2f + 0.1f * q.x + 0.3f * q.z, 1e-4f);
+    }
+    const Vec3 up = rotate(plant.tilt, k_up);
+    EXPECT_LT(distance(up, normalized(Vec3{-0.1f, 1, -0.3f})), 1e-4f);
+}
+
+TEST(Plant, the_lever_saturates) {
+    Plant plant;
+    plant.tilt = axis_angle({1, 0, 0}, 0.5f);
+    const float near = distance(planted(plant, {0, 0, 0.2f}, 0.85f), {0, 0, 0.2f});
+    const float far = distance(planted(plant, {0, 0, 5}, 0.85f), {0, 0, 5});
+    EXPECT_GT(far, near);
+    EXPECT_LT(far, 0.5f * 0.41f);
+}
+
+TEST(Foothold, an_edge_is_stepped_away_from) {
+    const Bands ledge(0.3f, 0, {{3.05f, 9}});  // the ball would stand on it, the heel below
+    const Plant plant = find_foothold(foot_at(0, 3.06f), probe_of(ledge), 0.16f, 0.06f);
+    const float moved = plant.foothold.z - plant.centre.z;
+    EXPECT_GT(std::fabs(moved), 0.03f);
+    EXPECT_LE(std::fabs(moved), 0.161f);
+    EXPECT_GT(rotate(plant.tilt, k_up).y, 0.99f);  // and stands level
+}
+
+TEST(GroundProbe, a_hole_answers_with_the_fallback) {
+    const Plane deep(0, 0, -40);
+    const GroundProbe probe{deep, 0, 1, 1, 0.25f};
+    EXPECT_EQ(probe.height(0, 0), 0.25f);
+}
+
+}  // namespace
+}  // namespace surefoot
