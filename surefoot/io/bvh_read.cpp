@@ -1,6 +1,7 @@
 #include <surefoot/base/error.h>
 #include <surefoot/io/bvh.h>
 #include <surefoot/io/clip_name.h>
+#include <surefoot/io/joint_names.h>
 #include <surefoot/io/unit_scale.h>
 
 #include <fast_float/fast_float.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 namespace surefoot {
 
@@ -26,15 +26,6 @@ char lower(char c) noexcept { return c >= 'A' && c <= 'Z' ? static_cast<char>(c 
 bool same_word(std::string_view a, std::string_view lower_case) noexcept {
     return a.size() == lower_case.size() &&
            std::equal(a.begin(), a.end(), lower_case.begin(), [](char x, char y) { return lower(x) == y; });
-}
-
-/// What to show of a word in a message: short, and nothing that a terminal would obey.
-std::string shown(std::string_view word) {
-    constexpr std::size_t k_longest = 40;
-    std::string text(word.substr(0, k_longest));
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-    return "'" + text + (word.size() > k_longest ? "…'" : "'");
 }
 
 std::string counted(std::size_t count, const char* what) {
@@ -102,7 +93,6 @@ class Reader {
     void read_end_site(int joint);
     void read_channels(int joint);
     Vec3 read_vector(const char* meaning);
-    void name_joints();
     void read_motion();
     void read_frame(int frame, std::span<float> numbers);
     void pose_joint(const JointChannels& joint, std::span<const float> numbers, Transform& local) const;
@@ -238,24 +228,6 @@ void Reader::read_channels(int joint) {
     }
 }
 
-/// Names that are missing or taken are replaced: joints must be told apart, and a clip is no worse for it.
-void Reader::name_joints() {
-    std::set<std::string, std::less<>> taken(skeleton_.names.begin(), skeleton_.names.end());
-    std::set<std::string, std::less<>> seen;
-    for (std::size_t j = 0; j < skeleton_.names.size(); ++j) {
-        std::string& name = skeleton_.names[j];
-        if (!name.empty() && seen.insert(name).second) continue;
-        const std::string old = name, base = old.empty() ? "joint_" + std::to_string(j) : old;
-        name = base;
-        for (int n = 2; name.empty() || taken.count(name) > 0; ++n) name = base + "_" + std::to_string(n);
-        taken.insert(name);
-        seen.insert(name);
-        clip_.warnings.push_back(old.empty()
-                                     ? "joint " + std::to_string(j) + " has no name: called " + shown(name)
-                                     : "two joints are named " + shown(old) + ": the second is called " + shown(name));
-    }
-}
-
 /// Frame times are written with few digits ("0.0083333", "0.033"): the usual rate that this text may stand for, else
 /// exactly what it says.
 double frame_rate(double frame_time, std::string_view text) {
@@ -371,7 +343,7 @@ void Reader::pose_joint(const JointChannels& joint, std::span<const float> numbe
 LoadedClip Reader::read() {
     read_hierarchy();
     if (skeleton_.joint_count() == 0) fail("the hierarchy has no joints");
-    name_joints();
+    make_joint_names_unique(skeleton_.names, clip_.warnings);
     read_motion();
     clip_.file = where_;
     clip_.motion.name = file_stem(where_);

@@ -4,6 +4,7 @@
 #include <surefoot/host/progress.h>
 #include <surefoot/io/bvh.h>
 #include <surefoot/io/clip_name.h>
+#include <surefoot/io/gltf.h>
 #include <surefoot/io/load.h>
 
 #include <algorithm>
@@ -120,6 +121,8 @@ std::vector<LoadedClip> read_clips(std::string_view bytes, const std::string& wh
     std::vector<LoadedClip> clips;
     if (ext == ".bvh")
         clips.push_back(read_bvh(bytes, where, options));
+    else if (ext == ".glb" || ext == ".gltf")
+        clips = read_gltf(bytes, where, options);
     else
         throw Error("the extension '" + ext + "' is not one of a clip", where,
                     "clips are .bvh, .glb, .gltf, .fbx or .dae files");
