@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace surefoot {
 
@@ -29,6 +30,16 @@ void copy_frame(const Motion& from, int source, Motion& to, int target) {
 }
 
 RootFrame inverse_frame(const RootFrame& frame) { return between(frame, RootFrame{}); }
+
+// `step` taken `times` over, by repeated squaring: a clip may be asked for a moment days ahead.
+RootFrame repeated(RootFrame step, double times) {
+    RootFrame result;
+    for (auto k = static_cast<std::uint64_t>(std::fmin(times, 1e15)); k > 0; k >>= 1u) {
+        if (k & 1u) result = result * step;
+        step = step * step;
+    }
+    return result;
+}
 
 // `where` in frames, within the clip.
 void sample_frames(const Motion& motion, double where, RootFrame& root, std::span<Transform> locals) {
@@ -78,6 +89,7 @@ Motion reverse(const Motion& motion) {
         copy_frame(motion, count - 1 - f, result, f);
         result.root[at(f)] = shift * result.root[at(f)];
     }
+    result.root[0] = motion.root[0];  // to the last bit
     return result;
 }
 
@@ -91,10 +103,7 @@ void sample(const Motion& motion, float time, RootFrame& root, std::span<Transfo
     const double cycles = std::floor(where / intervals);
     sample_frames(motion, std::clamp(where - cycles * intervals, 0.0, static_cast<double>(intervals)), root, locals);
     const RootFrame start = motion.root.front(), step = between(start, motion.root.back());
-    RootFrame cycle = start;
-    const RootFrame by = cycles < 0 ? inverse_frame(step) : step;
-    for (double k = std::fabs(cycles); k >= 1.0; k -= 1.0) cycle = cycle * by;
-    root = cycle * between(start, root);
+    root = start * repeated(cycles < 0 ? inverse_frame(step) : step, std::fabs(cycles)) * between(start, root);
 }
 
 Motion resample(const Motion& motion, float fps) {
