@@ -78,12 +78,6 @@ void pack_translations(PackedClip& clip, const Skeleton& skeleton, const std::ve
             clip.translations.push_back(locals[at + static_cast<std::size_t>(j)].translation);
 }
 
-/// Phase of a strike nearest to `expected`: whole numbers left, halves right.
-float strike_phase(Side foot, float expected) {
-    const float offset = foot == Side::left ? 0.0f : 0.5f;
-    return std::floor(expected - offset + 0.5f) + offset;
-}
-
 // Strikes alternate between the feet in a sound cycle. Where an event is doubtful (two of one foot in a row) the clip
 // has no usable phase, and it plays on its own clock.
 void pack_phase(PackedClip& clip, const ClipFacts& facts) {
