@@ -9,7 +9,7 @@
 
 namespace surefoot::cli {
 // One per file beside this one.
-// extern const Command k_analyze;
+extern const Command k_convert;
 }  // namespace surefoot::cli
 
 int main(int argc, char** argv) {
@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
 
     std::function<int()> chosen;
-    const Command* commands[] = {nullptr /* &k_analyze */};
+    const Command* commands[] = {&k_convert};
     for (const Command* command : commands) {
         if (!command) continue;
         CLI::App* sub = app.add_subcommand(command->name, command->help);

@@ -205,6 +205,7 @@ void Reader::read_channels(int joint) {
     own.first = channel_count_;
     own.count = static_cast<int>(count);
     channel_count_ += static_cast<std::size_t>(own.count);
+    std::string order;
     for (int i = 0; i < own.count; ++i) {
         const std::string_view name = word();
         Channel kind = Channel::ignored;
@@ -221,11 +222,13 @@ void Reader::read_channels(int joint) {
                                          shown(skeleton_.names[static_cast<std::size_t>(joint)]) + " are left out");
             else
                 fail(shown(name) + " is not a channel (such as Xrotation)");
-            if (kind >= Channel::rotation_x && kind <= Channel::rotation_z && clip_.rotation_order.size() < 3)
-                clip_.rotation_order += static_cast<char>('X' + axis);
+            if (kind >= Channel::rotation_x && kind <= Channel::rotation_z &&
+                order.find(static_cast<char>('X' + axis)) == std::string::npos)
+                order += static_cast<char>('X' + axis);
         }
         own.kinds[static_cast<std::size_t>(i)] = kind;
     }
+    if (clip_.rotation_order.empty() && order.size() == 3) clip_.rotation_order = order;
 }
 
 /// Frame times are written with few digits ("0.0083333", "0.033"): the usual rate that this text may stand for, else
