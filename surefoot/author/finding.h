@@ -46,6 +46,8 @@ enum class PlaceholderKind : std::uint8_t { needed, suggested };
 struct Placeholder {
     std::string space;
     PlaceholderKind kind = PlaceholderKind::needed;
+    /// Names of the target's axes: those of the space, and one more where the clip would open a new dimension.
+    std::vector<std::string> axes;
     std::vector<float> target;  ///< in axis units, one value an axis
     std::string rule;           ///< of the finding that asks for it
     std::string text;           ///< "a clip at 1.4 m/s turning 90 deg/s to the left"

@@ -121,11 +121,10 @@ Json to_json(const Finding& finding) {
 }
 
 Json to_json(const Placeholder& placeholder) {
-    return {{"space", placeholder.space},
-            {"kind", placeholder.kind == PlaceholderKind::needed ? "needed" : "suggested"},
-            {"target", numbers(placeholder.target)},
-            {"rule", placeholder.rule},
-            {"text", placeholder.text}};
+    return {
+        {"space", placeholder.space}, {"kind", placeholder.kind == PlaceholderKind::needed ? "needed" : "suggested"},
+        {"axes", placeholder.axes},   {"target", numbers(placeholder.target)},
+        {"rule", placeholder.rule},   {"text", placeholder.text}};
 }
 
 // --- reading
@@ -294,6 +293,7 @@ Placeholder read_placeholder(JsonNode node) {
     const std::string kind = node.at("kind").text();
     if (kind != "needed" && kind != "suggested") node.at("kind").fail("use \"needed\" or \"suggested\"");
     placeholder.kind = kind == "needed" ? PlaceholderKind::needed : PlaceholderKind::suggested;
+    placeholder.axes = node.at("axes").texts();
     placeholder.target = node.at("target").reals();
     placeholder.rule = node.at("rule").text();
     placeholder.text = node.at("text").text();
