@@ -18,29 +18,55 @@ struct Synonym {
 };
 
 constexpr Synonym k_limbs[] = {
-    {"thigh", Role::left_upper_leg, 0},    {"upleg", Role::left_upper_leg, 0},
-    {"upperleg", Role::left_upper_leg, 0}, {"femur", Role::left_upper_leg, 0},
-    {"legupper", Role::left_upper_leg, 0}, {"legup", Role::left_upper_leg, 0},
-    {"hip", Role::left_upper_leg, 2},      {"hips", Role::left_upper_leg, 3},
-    {"leg", Role::left_upper_leg, 4},      {"calf", Role::left_lower_leg, 0},
-    {"shin", Role::left_lower_leg, 0},     {"lowerleg", Role::left_lower_leg, 0},
-    {"tibia", Role::left_lower_leg, 0},    {"leglower", Role::left_lower_leg, 0},
-    {"lowleg", Role::left_lower_leg, 0},   {"legdown", Role::left_lower_leg, 0},
-    {"knee", Role::left_lower_leg, 1},     {"leg", Role::left_lower_leg, 2},
-    {"foot", Role::left_foot, 0},          {"ankle", Role::left_foot, 0},
-    {"feet", Role::left_foot, 1},          {"toes", Role::left_toes, 0},
-    {"toe", Role::left_toes, 0},           {"toebase", Role::left_toes, 0},
-    {"ball", Role::left_toes, 0},          {"foottoe", Role::left_toes, 0},
-    {"foot", Role::left_toes, 4},          {"clavicle", Role::left_shoulder, 0},
-    {"collar", Role::left_shoulder, 0},    {"collarbone", Role::left_shoulder, 0},
-    {"shoulder", Role::left_shoulder, 1},  {"upperarm", Role::left_upper_arm, 0},
-    {"uparm", Role::left_upper_arm, 0},    {"humerus", Role::left_upper_arm, 0},
-    {"armupper", Role::left_upper_arm, 0}, {"arm", Role::left_upper_arm, 2},
-    {"shoulder", Role::left_upper_arm, 3}, {"forearm", Role::left_lower_arm, 0},
-    {"lowerarm", Role::left_lower_arm, 0}, {"radius", Role::left_lower_arm, 0},
-    {"armlower", Role::left_lower_arm, 0}, {"lowarm", Role::left_lower_arm, 0},
-    {"elbow", Role::left_lower_arm, 1},    {"hand", Role::left_hand, 0},
-    {"wrist", Role::left_hand, 0},         {"eye", Role::left_eye, 0},
+    {"thigh", Role::left_upper_leg, 0},
+    {"upleg", Role::left_upper_leg, 0},
+    {"upperleg", Role::left_upper_leg, 0},
+    {"femur", Role::left_upper_leg, 0},
+    {"legupper", Role::left_upper_leg, 0},
+    {"legup", Role::left_upper_leg, 0},
+    {"hip", Role::left_upper_leg, 2},
+    {"hips", Role::left_upper_leg, 3},
+    {"leg", Role::left_upper_leg, 4},
+    {"calf", Role::left_lower_leg, 0},
+    {"shin", Role::left_lower_leg, 0},
+    {"lowerleg", Role::left_lower_leg, 0},
+    {"tibia", Role::left_lower_leg, 0},
+    {"leglower", Role::left_lower_leg, 0},
+    {"lowleg", Role::left_lower_leg, 0},
+    {"legdown", Role::left_lower_leg, 0},
+    {"knee", Role::left_lower_leg, 1},
+    {"leg", Role::left_lower_leg, 2},
+    {"foot", Role::left_foot, 0},
+    {"ankle", Role::left_foot, 0},
+    {"feet", Role::left_foot, 1},
+    {"toes", Role::left_toes, 0},
+    {"toe", Role::left_toes, 0},
+    {"toebase", Role::left_toes, 0},
+    {"ball", Role::left_toes, 0},
+    {"foottoe", Role::left_toes, 0},
+    {"foot", Role::left_toes, 4},
+    {"clavicle", Role::left_shoulder, 0},
+    {"collar", Role::left_shoulder, 0},
+    {"collarbone", Role::left_shoulder, 0},
+    {"shldr", Role::left_shoulder, 1},
+    {"loleg", Role::left_lower_leg, 0},
+    {"loarm", Role::left_lower_arm, 0},
+    {"shoulder", Role::left_shoulder, 1},
+    {"upperarm", Role::left_upper_arm, 0},
+    {"uparm", Role::left_upper_arm, 0},
+    {"humerus", Role::left_upper_arm, 0},
+    {"armupper", Role::left_upper_arm, 0},
+    {"arm", Role::left_upper_arm, 2},
+    {"shoulder", Role::left_upper_arm, 3},
+    {"forearm", Role::left_lower_arm, 0},
+    {"lowerarm", Role::left_lower_arm, 0},
+    {"radius", Role::left_lower_arm, 0},
+    {"armlower", Role::left_lower_arm, 0},
+    {"lowarm", Role::left_lower_arm, 0},
+    {"elbow", Role::left_lower_arm, 1},
+    {"hand", Role::left_hand, 0},
+    {"wrist", Role::left_hand, 0},
+    {"eye", Role::left_eye, 0},
     {"eyeball", Role::left_eye, 1},
 };
 
@@ -314,7 +340,8 @@ void fill_trunk(const Skeleton& skeleton, RoleMap& roles) {
     for (int j = top; j != hips; j = parent(j)) path.insert(path.begin(), j);
     const std::size_t n = path.size();
     const auto fill = [&](Role role, int joint) {
-        if (!roles.has(role)) roles.set(role, joint);
+        const bool taken = std::find(roles.joints.begin(), roles.joints.end(), joint) != roles.joints.end();
+        if (!roles.has(role) && !taken) roles.set(role, joint);
     };
     fill(Role::spine, path[0]);
     if (n == 2) fill(Role::chest, path[1]);
@@ -323,7 +350,7 @@ void fill_trunk(const Skeleton& skeleton, RoleMap& roles) {
     if (!roles.has(Role::neck) && roles.has(Role::head)) {
         int neck = parent(roles[Role::head]);
         while (neck != k_no_joint && neck != top && parent(neck) != top) neck = parent(neck);
-        if (neck != k_no_joint && neck != top) roles.set(Role::neck, neck);
+        if (neck != k_no_joint && neck != top) fill(Role::neck, neck);
     }
 }
 
