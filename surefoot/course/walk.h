@@ -7,15 +7,16 @@
 #include <surefoot/motion/motion.h>
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <vector>
 
 namespace surefoot {
 
+struct Character;
+
 inline constexpr float k_walk_fps = 60;
 
-/// A source of un-placed motion on flat ground: a looped clip or a baked character with its graph.
+/// A source of un-placed motion on flat ground: a looped clip, or a baked character with its graph.
 class Walker {
   public:
     virtual ~Walker() = default;
@@ -23,17 +24,19 @@ class Walker {
     virtual const Legs& legs() const = 0;
     /// A standing pose in model space.
     virtual std::span<const Transform> standing() const = 0;
-    /// Back to the start: the root at the origin facing +Z, already walking.
+    /// Back to the start: the root at the origin facing +Z, already walking straight ahead.
     virtual void start(float speed_mps) = 0;
-    /// Advances by dt (0 at the first frame); gives the root in the world and the pose.
-    virtual void step(float dt, RootFrame& root, std::span<Transform> locals) = 0;
-    /// What comes next if nothing is steered, without advancing.
-    virtual void peek(std::span<const float> ahead, std::span<RootFrame> roots,
-                      const std::function<void(std::size_t, std::span<const Transform>)>& pose) const = 0;
+    virtual void advance(float dt) noexcept = 0;
+    /// The root in the world (y = 0) and the pose, `ahead` >= 0 seconds from now if nothing is steered.
+    virtual void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept = 0;
 };
 
-/// Plays one cyclic clip (root motion extracted) again and again, sped up or slowed down to the speed asked for.
+/// Plays one cyclic clip with root motion again and again, slower or faster to match the speed asked for (a clip that
+/// hardly travels plays as it is).
 std::unique_ptr<Walker> make_clip_walker(const Motion& clip, const Legs& legs);
+
+/// Steers a character through its blend space. `character` must outlive the walker.
+std::unique_ptr<Walker> make_character_walker(const Character& character);
 
 struct WalkRequest {
     float speed_mps = 1.4f;
@@ -43,10 +46,18 @@ struct WalkRequest {
 
 struct Walked {
     Motion motion;                             ///< in the world, at k_walk_fps: root frames and placed poses
-    std::array<std::vector<bool>, 2> planted;  ///< by Side, one a frame: what foot placement says
-    int plans = 0;                             ///< how often it planned
+    std::array<std::vector<bool>, 2> planted;  ///< by Side, one a frame: stands, says foot placement
+    int plans = 0;                             ///< how often foot placement planned
 };
 
 Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request);
+
+/// The same walk in all three modes, and on flat ground un-placed (the twin), measured.
+struct WalkComparison {
+    std::array<Walked, 3> walked;        ///< by FootMode
+    std::array<WalkMetrics, 3> metrics;  ///< by FootMode
+    Walked twin;
+};
+WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds);
 
 }  // namespace surefoot

@@ -10,12 +10,13 @@ namespace {
 constexpr float k_usual_leg = 0.85f;    // [m]
 constexpr float k_heel_height = 0.03f;  // [m]
 constexpr float k_ball_height = 0.035f;
-constexpr float k_slow = 0.28f;       // [m/s]
-constexpr float k_slow_share = 0.3f;  // of the root's speed
-constexpr float k_fast_root = 1.7f;   // [m/s] from here on the share counts
-constexpr int k_gap = 4;              // samples: shorter gaps in a stance are noise
-constexpr int k_shortest_run = 3;     // and so are shorter stances
-constexpr int k_batch = 12;           // samples asked of the host at once
+constexpr float k_tip_height = 0.02f;  // the toe tip is the last to leave
+constexpr float k_slow = 0.28f;        // [m/s]
+constexpr float k_slow_share = 0.3f;   // of the root's speed
+constexpr float k_fast_root = 1.7f;    // [m/s] from here on the share counts
+constexpr int k_gap = 4;               // samples: shorter gaps in a stance are noise
+constexpr int k_shortest_run = 3;      // and so are shorter stances
+constexpr int k_batch = 12;            // samples asked of the host at once
 
 float speed_at(const std::array<LegPoints, Forecast::k_samples>& leg, Vec3 LegPoints::*point, int i) noexcept {
     const int before = std::max(i - 1, 0), after = std::min(i + 1, Forecast::k_samples - 1);
@@ -27,7 +28,8 @@ void find_runs(Forecast& f, std::size_t side) noexcept {
     int count = 0;
     auto& runs = f.runs[side];
     const auto on = [&](int i) {
-        return f.heel_down[side][static_cast<std::size_t>(i)] || f.ball_down[side][static_cast<std::size_t>(i)];
+        const auto n = static_cast<std::size_t>(i);
+        return f.heel_down[side][n] || f.ball_down[side][n] || f.tip_down[side][n];
     };
     const auto too_short = [&](const ContactRun& run) {
         return run.last - run.first + 1 < k_shortest_run && run.first > 0 && run.last + 1 < Forecast::k_samples;
@@ -150,6 +152,8 @@ void look_ahead(const FootRig& rig, double clock, const LegPreview& preview, For
                 p.heel.y < k_heel_height * scale && speed_at(f.legs[side], &LegPoints::heel, i) < slow;
             f.ball_down[side][n] =
                 p.ball.y < k_ball_height * scale && speed_at(f.legs[side], &LegPoints::ball, i) < slow;
+            f.tip_down[side][n] =
+                p.toe_tip.y < k_tip_height * scale && speed_at(f.legs[side], &LegPoints::toe_tip, i) < slow;
         }
         find_runs(f, side);
     }

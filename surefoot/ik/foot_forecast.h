@@ -18,7 +18,7 @@ struct WorldLeg {
 };
 WorldLeg world_leg(const Leg& leg, const LegPose& pose, const RootFrame& root) noexcept;
 
-/// Consecutive samples in which a foot stands: heel or ball low and slow.
+/// Consecutive samples in which a foot stands: heel, ball or toe tip low and slow.
 struct ContactRun {
     int first = 0, last = 0;
 };
@@ -33,7 +33,7 @@ struct Forecast {
     std::array<Vec3, k_samples> root;
     std::array<std::array<ContactRun, k_most_runs>, 2> runs;
     std::array<int, 2> run_count{};
-    std::array<std::array<bool, k_samples>, 2> heel_down, ball_down;
+    std::array<std::array<bool, k_samples>, 2> heel_down, ball_down, tip_down;
 
     double time(int sample) const noexcept { return start + static_cast<double>(sample) / k_rate; }
     /// Smooth between the samples, held outside them.

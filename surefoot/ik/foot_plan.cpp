@@ -66,7 +66,7 @@ class Planner {
     void replan_swing(std::size_t side) noexcept;
     void join(std::size_t side, const FootState& before) noexcept;
     void clear_ground(std::size_t side) noexcept;
-    float needed(std::size_t side, const LegPoints& points, const PlacedFoot& placed, Vec3 margin) const noexcept;
+    float needed(const LegPoints& points, const PlacedFoot& placed, Vec3 margin) const noexcept;
     void plan_line() noexcept;
     float shortfall(int sample, float base) const noexcept;
 
@@ -178,7 +178,7 @@ void Planner::join(std::size_t side, const FootState& before) noexcept {
 }
 
 /// Least height of the ankle above its height in the clip so that heel, ball and toe tip clear the ground.
-float Planner::needed(std::size_t side, const LegPoints& points, const PlacedFoot& placed, Vec3 margin) const noexcept {
+float Planner::needed(const LegPoints& points, const PlacedFoot& placed, Vec3 margin) const noexcept {
     const std::array<Vec3, 3> soles{points.heel, points.ball, points.toe_tip};
     float need = -1e3f;
     for (std::size_t k = 0; k < soles.size(); ++k) {
@@ -192,7 +192,6 @@ float Planner::needed(std::size_t side, const LegPoints& points, const PlacedFoo
         if (k == 2 && soles[k].y < k_toe_down) least -= k_toe_bend;
         need = std::max(need, least);
     }
-    (void)side;
     return need;
 }
 
@@ -210,7 +209,7 @@ void Planner::clear_ground(std::size_t side) noexcept {
         placed.ankle += fade_at(foot, clock).offset;
         const int from_end = std::min(j, k_hump_samples - 1 - j);
         const float margin = k_path_margin * std::min(1.0f, static_cast<float>(from_end) / k_ramp);
-        task.need[static_cast<std::size_t>(j)] = needed(side, points, placed, travel * margin);
+        task.need[static_cast<std::size_t>(j)] = needed(points, placed, travel * margin);
     }
     task.start_value = foot.hump.start_value;
     task.start_slope = foot.hump.start_slope;

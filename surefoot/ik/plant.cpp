@@ -121,7 +121,7 @@ Vec3 planted(const Plant& plant, Vec3 point, float leg_length) noexcept {
         const float x = (r - free) / (longest - free);
         lever = v * ((free + (longest - free) * x / (1 + x)) / r);
     }
-    // As displacement: exact where the tilt is the identity.
+    // As displacements, which are exactly zero on flat ground.
     return point + (plant.foothold - plant.centre) + (rotate(plant.tilt, lever) - lever);
 }
 

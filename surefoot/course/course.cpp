@@ -1,0 +1,67 @@
+#include <surefoot/base/error.h>
+#include <surefoot/course/course.h>
+#include <surefoot/ground/height_field.h>
+#include <surefoot/ground/shapes.h>
+#include <surefoot/math/trig.h>
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr float k_first_obstacle = 3;  // [m] level ground before it, to walk up to
+constexpr float k_slope_length = 40;   // [m] longer than any walk of ours, but for the level rest beyond
+constexpr float k_cross_slope_deg = 15;
+constexpr float k_riser = 0.17f, k_tread = 0.28f;  // [m] stairs as building codes have them
+constexpr int k_steps = 20;
+constexpr float k_ledge = 0.30f, k_curb = 0.12f;
+constexpr float k_oblique = 0.577f;  // the kerb lies at 30 degrees to the path
+constexpr float k_tile = 0.30f, k_rubble = 0.08f;
+constexpr Extent k_extent{-6, 6, -4, 60};
+
+template <typename Surface>
+Course course_of(const std::string& name, Surface surface, SurfaceMesh mesh) {
+    return {name, std::make_shared<const Surface>(std::move(surface)), std::move(mesh)};
+}
+template <typename Surface>
+Course course_of(const std::string& name, Surface surface) {
+    SurfaceMesh mesh = surface.mesh(k_extent);
+    return course_of(name, std::move(surface), std::move(mesh));
+}
+
+Course slope(const std::string& name, float degrees) {
+    const float rise = tan(degrees * k_radians_per_degree);
+    return course_of(name, Ramp(rise, k_first_obstacle, k_first_obstacle + k_slope_length));
+}
+
+}  // namespace
+
+const std::vector<std::string>& course_names() {
+    static const std::vector<std::string> names{"flat",      "hills",       "slope_up", "slope_down", "cross_slope",
+                                                "stairs_up", "stairs_down", "ledge",    "rubble",     "curb_oblique"};
+    return names;
+}
+
+Course make_course(const std::string& name, float grade_deg) {
+    if (!(grade_deg >= 0 && grade_deg <= 45))
+        throw Error("a grade must lie between 0 and 45 degrees", "course '" + name + "'", "ask for 10, 15 or 30");
+    if (name == "flat") return course_of(name, Plane());
+    if (name == "hills") {
+        HeightField hills = make_hills();
+        SurfaceMesh mesh = hills.mesh();
+        return course_of(name, std::move(hills), std::move(mesh));
+    }
+    if (name == "slope_up") return slope(name, grade_deg);
+    if (name == "slope_down") return slope(name, -grade_deg);
+    if (name == "cross_slope") return course_of(name, Plane(tan(k_cross_slope_deg * k_radians_per_degree), 0));
+    if (name == "stairs_up") return course_of(name, Stairs(k_riser, k_tread, k_first_obstacle, k_steps));
+    if (name == "stairs_down") return course_of(name, Stairs(-k_riser, k_tread, k_first_obstacle, k_steps));
+    if (name == "ledge") return course_of(name, Bands(k_ledge, 0, {{4, 9}}));
+    if (name == "rubble") return course_of(name, Tiles(k_tile, k_rubble, 2, 1));
+    if (name == "curb_oblique") return course_of(name, Bands(k_curb, k_oblique, {{4.5f, 8}, {11, 15}}));
+    std::string known;
+    for (const std::string& each : course_names()) known += (known.empty() ? "" : ", ") + each;
+    throw Error("there is no course '" + name + "'", "", "choose one of " + known);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,124 @@
+#include <surefoot/base/error.h>
+#include <surefoot/course/walk.h>
+#include <surefoot/ground/shapes.h>
+#include <surefoot/motion/edit.h>
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr float k_dt = 1 / k_walk_fps;
+
+class ClipWalker final : public Walker {
+  public:
+    ClipWalker(const Motion& clip, const Legs& legs) : clip_(clip), legs_(legs) {
+        start_at_origin(clip_);
+        clip_.cyclic = true;
+        standing_.resize(static_cast<std::size_t>(clip_.joint_count()));
+        local_to_model(*clip_.skeleton, clip_.frame(0), standing_);
+    }
+    const std::shared_ptr<const Skeleton>& skeleton() const override { return clip_.skeleton; }
+    const Legs& legs() const override { return legs_; }
+    std::span<const Transform> standing() const override { return standing_; }
+    void start(float speed_mps) override {
+        constexpr float k_travels = 0.1f;  // [m/s]
+        const float own = planar_length(clip_.root.back().position) / std::max(clip_.duration(), 1e-6f);
+        rate_ = own > k_travels && speed_mps > 0 ? speed_mps / own : 1;
+        time_ = 0;
+    }
+    void advance(float dt) noexcept override { time_ += static_cast<double>(dt * rate_); }
+    void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
+        sample(clip_, static_cast<float>(time_ + static_cast<double>(ahead * rate_)), root, locals);
+        root.position.y = 0;
+    }
+
+  private:
+    Motion clip_;
+    Legs legs_;
+    std::vector<Transform> standing_;
+    float rate_ = 1;
+    double time_ = 0;
+};
+
+/// Looks ahead through a walker; scratch is made once.
+class WalkerPreview final : public LegPreview {
+  public:
+    WalkerPreview(const Walker& walker, const FootRig& rig)
+        : walker_(walker),
+          rig_(rig),
+          locals_(static_cast<std::size_t>(walker.skeleton()->joint_count())),
+          models_(locals_.size()) {}
+    void sample(std::span<const float> ahead, std::span<LegsPose> legs,
+                std::span<RootFrame> roots) const noexcept override {
+        for (std::size_t i = 0; i < ahead.size(); ++i) {
+            walker_.look(ahead[i], roots[i], locals_);
+            local_to_model(*walker_.skeleton(), locals_, models_);
+            legs[i] = read_legs(rig_, models_);
+        }
+    }
+
+  private:
+    const Walker& walker_;
+    const FootRig& rig_;
+    mutable std::vector<Transform> locals_, models_;
+};
+
+}  // namespace
+
+std::unique_ptr<Walker> make_clip_walker(const Motion& clip, const Legs& legs) {
+    if (clip.frame_count() < 2)
+        throw Error("a clip of one frame does not walk", "clip '" + clip.name + "'", "choose a cycle");
+    return std::make_unique<ClipWalker>(clip, legs);
+}
+
+Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request) {
+    constexpr float k_longest = 3600;  // [s]
+    if (!(request.seconds > 0 && request.seconds <= k_longest))
+        throw Error("a walk lasts more than 0 and at most 3600 seconds", "walk", "");
+    const int frames = static_cast<int>(std::lround(request.seconds * k_walk_fps)) + 1;
+    FootSettings settings;
+    settings.mode = request.mode;
+    const FootRig rig = make_foot_rig(*walker.skeleton(), walker.legs(), walker.standing(), settings);
+    const WalkerPreview preview(walker, rig);
+    walker.start(request.speed_mps);
+
+    Walked walked;
+    walked.motion = make_motion(walker.skeleton(), "walk", frames, k_walk_fps);
+    FootPlacementState state;
+    std::vector<Transform> models(static_cast<std::size_t>(walked.motion.joint_count()));
+    for (int f = 0; f < frames; ++f) {
+        const std::span<Transform> locals = walked.motion.frame(f);
+        RootFrame& root = walked.motion.root[static_cast<std::size_t>(f)];
+        if (f) walker.advance(k_dt);
+        walker.look(0, root, locals);
+        root.position.y = height_at(ground, root.position.x, root.position.z);
+        local_to_model(*walker.skeleton(), locals, models);
+        FootInput input;
+        input.dt = f ? k_dt : 0;
+        input.root = root;
+        input.legs = read_legs(rig, models);
+        FootOutput output;
+        place_feet(rig, state, input, ground, &preview, output);
+        apply(rig, output, models, locals);
+        for (std::size_t side = 0; side < 2; ++side) walked.planted[side].push_back(output.planted[side]);
+    }
+    walked.plans = state.plans;
+    return walked;
+}
+
+WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds) {
+    WalkComparison result;
+    const Plane flat;
+    result.twin = walk(walker, flat, {speed_mps, seconds, FootMode::none});
+    const WalkTrack twin = make_track(result.twin.motion, walker.legs());
+    const int frames = result.twin.motion.frame_count();
+    const RootFrame end{{0, 0, speed_mps * static_cast<float>(frames - 1) / k_walk_fps}, 0};
+    for (std::size_t i = 0; i < result.walked.size(); ++i) {
+        result.walked[i] = walk(walker, ground, {speed_mps, seconds, static_cast<FootMode>(i)});
+        result.metrics[i] = measure_walk(make_track(result.walked[i].motion, walker.legs()), twin, ground, end);
+    }
+    return result;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,110 @@
+#include <surefoot/course/walk.h>
+#include <surefoot/ground/shapes.h>
+#include <surefoot/preset/default_set.h>
+
+#include <gtest/gtest.h>
+
+namespace surefoot {
+namespace {
+
+/// The generated walk, as a walker.
+std::unique_ptr<Walker> preset_walker(const std::string& name = "walk") {
+    static const DefaultSet set = make_default_set();
+    for (const Motion& clip : set.clips)
+        if (clip.name == name) {
+            std::vector<Transform> standing(static_cast<std::size_t>(clip.joint_count()));
+            local_to_model(*set.skeleton, set.skeleton->rest, standing);
+            return make_clip_walker(clip, make_legs(*set.skeleton, set.roles, standing, 0));
+        }
+    return nullptr;
+}
+
+constexpr auto k_none = static_cast<std::size_t>(FootMode::none);
+constexpr auto k_colvin = static_cast<std::size_t>(FootMode::colvin2013);
+constexpr auto k_surefoot = static_cast<std::size_t>(FootMode::surefoot);
+
+/// Largest distance between the joints of two walks.
+float largest_difference(const Motion& a, const Motion& b) {
+    std::vector<Transform> one(static_cast<std::size_t>(a.joint_count())), other = one;
+    float largest = 0;
+    for (int f = 0; f < a.frame_count(); ++f) {
+        world_pose(a, f, one);
+        world_pose(b, f, other);
+        for (std::size_t j = 0; j < one.size(); ++j)
+            largest = std::max(largest, distance(one[j].translation, other[j].translation));
+    }
+    return largest;
+}
+
+TEST(Walk, flat_ground_leaves_every_clip_unchanged) {
+    for (const char* name : {"walk", "jog", "run", "back", "walk_left", "strafe_left", "turn_left", "idle"}) {
+        const auto walker = preset_walker(name);
+        ASSERT_TRUE(walker) << name;
+        const Plane flat;
+        const Walked twin = walk(*walker, flat, {0, 5, FootMode::none});
+        EXPECT_LT(largest_difference(twin.motion, walk(*walker, flat, {0, 5, FootMode::surefoot}).motion), 2e-5f)
+            << name;
+        EXPECT_LT(largest_difference(twin.motion, walk(*walker, flat, {0, 5, FootMode::colvin2013}).motion), 1e-3f)
+            << name;
+    }
+}
+
+TEST(Walk, on_hills_feet_stand_on_the_ground) {
+    const Course hills = make_course("hills");
+    const WalkComparison c = compare_modes(*preset_walker(), *hills.ground, 1.4f, 10);
+    const WalkMetrics &none = c.metrics[k_none], &ours = c.metrics[k_surefoot];
+    ASSERT_GT(ours.planted_samples, 500);
+    EXPECT_LT(ours.penetration_max_cm, none.penetration_max_cm / 20);
+    EXPECT_LT(ours.penetration_mean_cm, none.penetration_mean_cm / 50);
+    EXPECT_LT(ours.float_max_cm, none.float_max_cm / 10);
+    EXPECT_LT(ours.float_mean_cm, none.float_mean_cm / 20);
+    EXPECT_LT(ours.skate_cm_s, none.skate_cm_s + 0.3);
+    EXPECT_LT(ours.sole_angle_deg, 0.5);
+    EXPECT_EQ(ours.over_extensions, 0);
+    EXPECT_LT(ours.knee_peak_ratio, 1.5);
+    EXPECT_LT(ours.hip_jerk_ratio, 1.5);
+    EXPECT_LT(ours.drift_m, 1e-3);
+}
+
+TEST(Walk, colvin2013_stretches_legs_and_jerks_the_hips_as_the_paper_says) {
+    const Course hills = make_course("hills");
+    const WalkComparison c = compare_modes(*preset_walker(), *hills.ground, 1.4f, 10);
+    EXPECT_GT(c.metrics[k_colvin].over_extensions, 20);
+    EXPECT_GT(c.metrics[k_colvin].hip_jerk_ratio, 2);
+    EXPECT_LT(c.metrics[k_colvin].float_mean_cm, c.metrics[k_none].float_mean_cm);
+}
+
+TEST(Walk, slopes_are_walked_up_and_down) {
+    for (const char* name : {"slope_up", "slope_down"})
+        for (const float grade : {10.0f, 15.0f, 30.0f}) {
+            const Course slope = make_course(name, grade);
+            const WalkComparison c = compare_modes(*preset_walker(), *slope.ground, 1.4f, 10);
+            const WalkMetrics& m = c.metrics[k_surefoot];
+            EXPECT_LT(m.penetration_max_cm, 1) << name << grade;
+            EXPECT_LT(m.float_mean_cm, 0.1) << name << grade;
+            EXPECT_LT(m.sole_angle_deg, 1) << name << grade;
+            EXPECT_EQ(m.over_extensions, 0) << name << grade;
+            EXPECT_LT(m.knee_peak_ratio, 1.8) << name << grade;
+            EXPECT_LT(m.hip_jerk_ratio, grade > 20 ? 2.5 : 2) << name << grade;
+        }
+}
+
+TEST(Walk, planning_happens_once_a_step_not_once_a_frame) {
+    const Course hills = make_course("hills");
+    const auto walker = preset_walker();
+    const Walked walked = walk(*walker, *hills.ground, {1.4f, 10, FootMode::surefoot});
+    EXPECT_LT(walked.plans, 50);
+    EXPECT_GT(walked.plans, 10);
+}
+
+TEST(Walk, the_same_walk_has_the_same_bytes) {
+    const Course hills = make_course("hills");
+    const auto walker = preset_walker();
+    const Walked a = walk(*walker, *hills.ground, {1.4f, 3, FootMode::surefoot});
+    const Walked b = walk(*walker, *hills.ground, {1.4f, 3, FootMode::surefoot});
+    EXPECT_EQ(a.motion.locals, b.motion.locals);
+    EXPECT_EQ(a.motion.root, b.motion.root);
+}
+
+}  // namespace
+}  // namespace surefoot
