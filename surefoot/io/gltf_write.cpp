@@ -199,11 +199,10 @@ void Writer::write_mesh(const Mesh& mesh) {
     attributes["WEIGHTS_0"] = add_floats(flat(mesh.weights), "VEC4", 4, false, k_vertices);
     const int indices = add_view(mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t), k_triangles);
     const int triangles = add_accessor(indices, 0, mesh.indices.size(), k_unsigned_int, "SCALAR");
-    json_["meshes"].push_back({{"name", scene_.name},
-                               {"primitives",
-                                {{{"attributes", std::move(attributes)},
-                                  {"indices", triangles},
-                                  {"material", write_material(scene_.name, scene_.mesh_color)}}}}});
+    const int material = write_material(scene_.name, scene_.mesh_color);  // first: it may move json_'s other members
+    json_["meshes"].push_back(
+        {{"name", scene_.name},
+         {"primitives", {{{"attributes", std::move(attributes)}, {"indices", triangles}, {"material", material}}}}});
     // A skinned mesh stands at the top of the scene: its node's own transform is ignored.
     json_["nodes"].push_back(
         {{"name", free_name(skeleton_, scene_.name)}, {"mesh", json_["meshes"].size() - 1}, {"skin", 0}});
@@ -234,11 +233,10 @@ void Writer::write_static(const StaticMesh& mesh) {
         attributes["COLOR_0"] = add_floats(flat(mesh.vertex_colors), "VEC4", 4, false, k_vertices);
     const int indices = add_view(mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t), k_triangles);
     const int triangles = add_accessor(indices, 0, mesh.indices.size(), k_unsigned_int, "SCALAR");
-    json_["meshes"].push_back({{"name", mesh.name},
-                               {"primitives",
-                                {{{"attributes", std::move(attributes)},
-                                  {"indices", triangles},
-                                  {"material", write_material(mesh.name, mesh.color)}}}}});
+    const int material = write_material(mesh.name, mesh.color);  // first: it may move json_'s other members
+    json_["meshes"].push_back(
+        {{"name", mesh.name},
+         {"primitives", {{{"attributes", std::move(attributes)}, {"indices", triangles}, {"material", material}}}}});
     json_["nodes"].push_back({{"name", free_name(skeleton_, mesh.name)}, {"mesh", json_["meshes"].size() - 1}});
     json_["scenes"][0]["nodes"].push_back(json_["nodes"].size() - 1);
 }

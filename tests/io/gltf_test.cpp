@@ -84,6 +84,28 @@ TEST(Gltf, real_clips_keep_every_joint_in_place_through_all_formats) {
     }
 }
 
+TEST(Gltf, a_skinned_mesh_is_written_and_its_node_points_at_it) {
+    Random random(6);
+    GltfScene scene;
+    scene.motions.push_back(test::random_motion(random, 3, 2));
+    scene.mesh.emplace();
+    scene.mesh->positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    scene.mesh->normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+    scene.mesh->joints.resize(3);
+    scene.mesh->weights = {{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}};
+    scene.mesh->indices = {0, 1, 2};
+    scene.statics.push_back({.name = "terrain",
+                             .positions = scene.mesh->positions,
+                             .normals = {},
+                             .indices = {0, 1, 2},
+                             .color = {},
+                             .vertex_colors = {}});
+    const std::string glb = write_glb(scene);
+    EXPECT_NE(glb.find("\"mesh\":0,\"skin\":0"), std::string::npos);
+    EXPECT_NE(glb.find("\"mesh\":1"), std::string::npos);
+    EXPECT_NE(glb.find("\"meshes\":["), std::string::npos);
+}
+
 TEST(Gltf, a_scene_that_is_not_sound_is_refused) {
     Random random(6);
     GltfScene scene;
