@@ -216,7 +216,10 @@ void Sculptor::add_leg(Side side) {
                            {leg.lower, a, size(0.042f)},
                            {leg.foot, a + b, size(0.016f)}}};
     const float inner = std::min(0.051f, 0.99f * hip_half_width_ / stature_);
-    const Girth upper[] = {{-0.035f * stature_ / a, 0.8f * inner, 0.046f},
+    const float top = stature_ / a;
+    const Girth upper[] = {{-0.052f * top, 0.35f * inner, 0.020f, 0.006f},
+                           {-0.044f * top, 0.66f * inner, 0.038f, 0.006f},
+                           {-0.026f * top, 0.90f * inner, 0.051f, 0.006f},
                            {0.04f, inner, 0.057f, 0.003f},
                            {0.20f, inner, 0.056f, 0.002f},
                            {0.42f, 0.046f, 0.050f},
