@@ -84,21 +84,6 @@ Velocity sole_velocity(const WalkTrack& track, std::size_t side, std::size_t poi
     return {rate(x, fps), rate(y, fps), rate(z, fps)};
 }
 
-/// Where the twin's point is low and slow.
-Mask planted_frames(const WalkTrack& twin, std::size_t side, std::size_t point) {
-    std::vector<float> heights;
-    for (const TrackFrame& frame : twin.frames) heights.push_back(frame.legs[side].sole[point].y);
-    std::vector<float> sorted = heights;
-    const auto rank = static_cast<std::size_t>(k_percentile * static_cast<double>(sorted.size() - 1));
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(rank), sorted.end());
-    const float lowest = sorted[rank];
-    const Velocity v = sole_velocity(twin, side, point);
-    Mask mask(heights.size());
-    for (std::size_t i = 0; i < heights.size(); ++i)
-        mask[i] = heights[i] < lowest + k_planted_height && v.full(i) < k_planted_speed;
-    return mask;
-}
-
 double knee_angle(const LegTrack& leg) {
     const Vec3 a = leg.hip - leg.knee, b = leg.ankle - leg.knee;
     return atan2(static_cast<double>(length(cross(a, b))), static_cast<double>(dot(a, b))) * k_degrees;
@@ -120,13 +105,44 @@ double sole_angle(const LegTrack& leg, const Ground& ground) {
     return atan2(static_cast<double>(length(across)), static_cast<double>(dot(normal, leg.sole_up))) * k_degrees;
 }
 
+/// Largest angular acceleration of a knee, deg/s^2, over frames [first, end).
+double knee_peak(const WalkTrack& track, std::size_t side, std::size_t first, std::size_t end) {
+    const auto fps = static_cast<double>(track.fps);
+    Series angles;
+    for (const TrackFrame& frame : track.frames) angles.push_back(knee_angle(frame.legs[side]));
+    const Series s = smoothed(angles, fps);
+    double most = 0;
+    for (std::size_t i = std::max<std::size_t>(first, 1); i + 1 < s.size() && i < end; ++i)
+        most = std::max(most, std::fabs(s[i + 1] - 2 * s[i] + s[i - 1]) * fps * fps);
+    return most;
+}
+
+/// RMS of the hips' vertical jerk, m/s^3.
+double hip_jerk(const WalkTrack& track, std::size_t first, std::size_t end) {
+    const auto fps = static_cast<double>(track.fps);
+    Series y;
+    for (const TrackFrame& frame : track.frames) y.push_back(static_cast<double>(frame.hips.y));
+    const Series s = smoothed(y, fps);
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = std::max<std::size_t>(first, 1); i + 2 < s.size() && i < end; ++i, ++count) {
+        const double j = (s[i + 2] - 3 * s[i + 1] + 3 * s[i] - s[i - 1]) * fps * fps * fps;
+        sum += j * j;
+    }
+    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
+}
+
+/// Frames without the margins, but a third of the walk at least.
+std::size_t first_measured(const WalkTrack& track, float margin) {
+    return std::min(static_cast<std::size_t>(margin * track.fps), track.frames.size() / 3);
+}
+
 class Measurement {
   public:
     Measurement(const WalkTrack& walked, const WalkTrack& twin, const Ground& ground, float margin)
         : walked_(walked), twin_(twin), ground_(ground), fps_(static_cast<double>(walked.fps)) {
-        const std::size_t count = walked.frames.size();
-        first_ = std::min(static_cast<std::size_t>(margin * walked.fps), count / 3);
-        end_ = count - first_;
+        first_ = first_measured(walked, margin);
+        end_ = walked.frames.size() - first_;
     }
 
     void contacts();
@@ -213,46 +229,37 @@ void Measurement::knees() {
     double twin_peak = 0;
     result.knee_min_deg = 180;
     for (std::size_t side = 0; side < 2; ++side) {
-        Series own, other;
-        for (std::size_t i = 0; i < walked_.frames.size(); ++i) {
-            own.push_back(knee_angle(walked_.frames[i].legs[side]));
-            other.push_back(knee_angle(twin_.frames[i].legs[side]));
-        }
         for (std::size_t i = first_; i < end_; ++i) {
-            result.knee_min_deg = std::min(result.knee_min_deg, own[i]);
-            if (own[i] > k_over_extended_deg && other[i] <= k_over_extended_deg) ++result.over_extensions;
+            const double own = knee_angle(walked_.frames[i].legs[side]), twin = knee_angle(twin_.frames[i].legs[side]);
+            result.knee_min_deg = std::min(result.knee_min_deg, own);
+            if (own > k_over_extended_deg && twin <= k_over_extended_deg) ++result.over_extensions;
         }
-        const auto peak = [&](const Series& angles) {
-            const Series s = smoothed(angles, fps_);
-            double most = 0;
-            for (std::size_t i = std::max<std::size_t>(first_, 1); i + 1 < s.size() && i < end_; ++i)
-                most = std::max(most, std::fabs(s[i + 1] - 2 * s[i] + s[i - 1]) * fps_ * fps_);
-            return most;
-        };
-        result.knee_peak_deg_s2 = std::max(result.knee_peak_deg_s2, peak(own));
-        twin_peak = std::max(twin_peak, peak(other));
+        result.knee_peak_deg_s2 = std::max(result.knee_peak_deg_s2, knee_peak(walked_, side, first_, end_));
+        twin_peak = std::max(twin_peak, knee_peak(twin_, side, first_, end_));
     }
     result.knee_peak_ratio = twin_peak > 0 ? result.knee_peak_deg_s2 / twin_peak : 1;
 }
 
 void Measurement::hips() {
-    const auto jerk = [&](const WalkTrack& track) {
-        Series y;
-        for (const TrackFrame& frame : track.frames) y.push_back(static_cast<double>(frame.hips.y));
-        const Series s = smoothed(y, fps_);
-        double sum = 0;
-        std::size_t count = 0;
-        for (std::size_t i = std::max<std::size_t>(first_, 1); i + 2 < s.size() && i < end_; ++i, ++count) {
-            const double j = (s[i + 2] - 3 * s[i + 1] + 3 * s[i] - s[i - 1]) * fps_ * fps_ * fps_;
-            sum += j * j;
-        }
-        return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
-    };
-    const double twin = jerk(twin_);
-    result.hip_jerk_ratio = twin > 0 ? jerk(walked_) / twin : 1;
+    const double twin = hip_jerk(twin_, first_, end_);
+    result.hip_jerk_ratio = twin > 0 ? hip_jerk(walked_, first_, end_) / twin : 1;
 }
 
 }  // namespace
+
+std::vector<bool> planted_frames(const WalkTrack& twin, std::size_t side, std::size_t point) {
+    std::vector<float> heights;
+    for (const TrackFrame& frame : twin.frames) heights.push_back(frame.legs[side].sole[point].y);
+    std::vector<float> sorted = heights;
+    const auto rank = static_cast<std::size_t>(k_percentile * static_cast<double>(sorted.size() - 1));
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(rank), sorted.end());
+    const float lowest = sorted[rank];
+    const Velocity v = sole_velocity(twin, side, point);
+    std::vector<bool> mask(heights.size());
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        mask[i] = heights[i] < lowest + k_planted_height && v.full(i) < k_planted_speed;
+    return mask;
+}
 
 WalkTrack make_track(const Motion& motion, const Legs& legs) {
     WalkTrack track;
@@ -292,6 +299,28 @@ WalkMetrics measure_walk(const WalkTrack& walked, const WalkTrack& twin, const G
     measurement.result.drift_m = static_cast<double>(planar_length(end.position - requested_end.position));
     measurement.result.drift_deg = std::fabs(wrap_angle(static_cast<double>(end.yaw - requested_end.yaw))) * k_degrees;
     return measurement.result;
+}
+
+TwinFigures measure_twin(const WalkTrack& twin, float margin) {
+    TwinFigures figures;
+    const std::size_t first = first_measured(twin, margin), end = twin.frames.size() - first;
+    double sum = 0;
+    int count = 0;
+    for (std::size_t side = 0; side < 2; ++side) {
+        figures.knee_peak_deg_s2 = std::max(figures.knee_peak_deg_s2, knee_peak(twin, side, first, end));
+        for (std::size_t point = 0; point < k_sole_points; ++point) {
+            const Mask mask = planted_frames(twin, side, point);
+            const Velocity v = sole_velocity(twin, side, point);
+            for (std::size_t i = first; i < end; ++i) {
+                if (!mask[i]) continue;
+                sum += v.level(i) * k_cm;
+                ++count;
+            }
+        }
+    }
+    figures.skate_cm_s = sum / std::max(count, 1);
+    figures.hip_jerk_m_s3 = hip_jerk(twin, first, end);
+    return figures;
 }
 
 float depth_in_ground(const Ground& ground, Vec3 p) noexcept {

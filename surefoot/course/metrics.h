@@ -59,6 +59,16 @@ struct WalkMetrics {
 WalkMetrics measure_walk(const WalkTrack& walked, const WalkTrack& twin, const Ground& ground,
                          const RootFrame& requested_end, float margin = 0.5f);
 
+/// When a sole point (0 heel, 1 mid, 2 ball, 3 toe tip) of the flat twin is planted: within 1.5 cm of its own 3rd
+/// percentile of height and slower than 0.25 m/s.
+std::vector<bool> planted_frames(const WalkTrack& twin, std::size_t side, std::size_t point);
+
+/// What the ratios are against.
+struct TwinFigures {
+    double skate_cm_s = 0, knee_peak_deg_s2 = 0, hip_jerk_m_s3 = 0;
+};
+TwinFigures measure_twin(const WalkTrack& twin, float margin = 0.5f);
+
 /// Distance from `point` to the nearest place outside the ground, m; 0 where it is outside. A point behind a riser
 /// counts its distance to the riser's face.
 float depth_in_ground(const Ground& ground, Vec3 point) noexcept;

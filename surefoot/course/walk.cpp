@@ -109,6 +109,7 @@ Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request) {
 
 WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds) {
     WalkComparison result;
+    result.legs = walker.legs();
     const Plane flat;
     result.twin = walk(walker, flat, {speed_mps, seconds, FootMode::none});
     const WalkTrack twin = make_track(result.twin.motion, walker.legs());

@@ -57,6 +57,7 @@ struct WalkComparison {
     std::array<Walked, 3> walked;        ///< by FootMode
     std::array<WalkMetrics, 3> metrics;  ///< by FootMode
     Walked twin;
+    Legs legs;
 };
 WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds);
 

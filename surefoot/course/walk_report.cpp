@@ -1,0 +1,199 @@
+#include <surefoot/course/filmstrip.h>
+#include <surefoot/course/walk_report.h>
+#include <surefoot/io/gltf.h>
+#include <surefoot/io/mannequin.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace surefoot {
+namespace {
+
+using Out = std::back_insert_iterator<std::string>;
+
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\')
+            (out += '\\') += c;
+        else if (static_cast<unsigned char>(c) < 0x20)
+            fmt::format_to(Out(out), "\\u{:04x}", static_cast<unsigned>(c));
+        else
+            out += c;
+    }
+    return out + "\"";
+}
+
+/// Six significant digits: more says nothing about feet.
+std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.6g}", x) : "null"; }
+
+std::string row_json(const WalkMetrics& m) {
+    return fmt::format(
+        "{{\"skate_cm_s\": {}, \"skate_share\": {}, \"penetration_max_cm\": {}, \"penetration_mean_cm\": {}, "
+        "\"float_max_cm\": {}, \"float_mean_cm\": {}, \"sole_angle_deg\": {}, \"sole_angle_worst_deg\": {}, "
+        "\"over_extensions\": {}, \"knee_peak_ratio\": {}, \"knee_peak_deg_s2\": {}, \"knee_min_deg\": {}, "
+        "\"hip_jerk_ratio\": {}, \"drift_m\": {}, \"drift_deg\": {}}}",
+        number(m.skate_cm_s), number(m.skate_share), number(m.penetration_max_cm), number(m.penetration_mean_cm),
+        number(m.float_max_cm), number(m.float_mean_cm), number(m.sole_angle_deg), number(m.sole_angle_worst_deg),
+        m.over_extensions, number(m.knee_peak_ratio), number(m.knee_peak_deg_s2), number(m.knee_min_deg),
+        number(m.hip_jerk_ratio), number(m.drift_m), number(m.drift_deg));
+}
+
+std::string course_title(const WalkInfo& info) {
+    const bool graded = info.course == "slope_up" || info.course == "slope_down";
+    return graded ? fmt::format("{} {:g}°", info.course, info.grade_deg) : info.course;
+}
+
+/// Runs of true as [[first, last], …].
+std::string ranges(const std::vector<bool>& on) {
+    std::string out = "[";
+    for (std::size_t i = 0; i < on.size(); ++i) {
+        if (!on[i]) continue;
+        std::size_t last = i;
+        while (last + 1 < on.size() && on[last + 1]) ++last;
+        fmt::format_to(Out(out), "{}[{}, {}]", out.size() > 1 ? ", " : "", i, last);
+        i = last;
+    }
+    return out + "]";
+}
+
+std::string vec_json(Vec3 v) { return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x, v.y, v.z); }
+
+constexpr const char* k_side_names[] = {"left", "right"};
+
+/// One foot: when it stands, its sole's points in the joints' frames, and what the twin says of each point.
+std::string foot_json(const WalkComparison& walks, FootMode mode, const Legs& legs, const Skeleton& skeleton,
+                      const WalkTrack& twin, std::size_t side) {
+    const Leg& leg = legs.side[side];
+    const auto name = [&](int joint) { return quoted(skeleton.names[static_cast<std::size_t>(joint)]); };
+    const std::string foot = name(leg.foot), toes = name(leg.toes == k_no_joint ? leg.foot : leg.toes);
+    std::string out = fmt::format(
+        "{{\"contacts\": {}, \"joints\": {{\"upper_leg\": {}, \"lower_leg\": {}, \"foot\": {}}}, \"sole_up\": {}, "
+        "\"sole\": {{",
+        ranges(walks.walked[static_cast<std::size_t>(mode)].planted[side]), name(leg.upper), name(leg.lower), foot,
+        vec_json(leg.up));
+    const std::pair<const char*, Vec3> points[] = {
+        {"heel", leg.heel}, {"mid", leg.mid}, {"ball", leg.ball}, {"toe_tip", leg.toe_tip}};
+    for (std::size_t p = 0; p < k_sole_points; ++p) {
+        std::string heights;
+        for (const TrackFrame& frame : twin.frames)
+            fmt::format_to(Out(heights), "{}{:.4f}", heights.empty() ? "" : ",", frame.legs[side].sole[p].y);
+        fmt::format_to(Out(out),
+                       "{}\"{}\": {{\"joint\": {}, \"offset\": {}, \"planted\": {}, \"flat_height_m\": [{}]}}",
+                       p ? ", " : "", points[p].first, p == 3 ? toes : foot, vec_json(points[p].second),
+                       ranges(planted_frames(twin, side, p)), heights);
+    }
+    return out + "}}";
+}
+
+std::string extras_json(const WalkInfo& info, const WalkComparison& walks, FootMode mode) {
+    const Legs& legs = walks.legs;
+    const Skeleton& skeleton = *walks.twin.motion.skeleton;
+    const WalkTrack twin = make_track(walks.twin.motion, legs);
+    const TwinFigures flat = measure_twin(twin);
+    std::string out = fmt::format(
+        "{{\"surefoot_walk\": {{\"course\": {}, \"grade_deg\": {}, \"path\": {}, \"speed_mps\": {}, \"mode\": {}, "
+        "\"fps\": {}, \"hips\": {}, \"flat_twin\": {{\"knee_peak_deg_s2\": {}, \"hip_jerk_m_s3\": {}, "
+        "\"skate_cm_s\": {}}}",
+        quoted(info.course), number(static_cast<double>(info.grade_deg)), quoted(info.path),
+        number(static_cast<double>(info.speed_mps)), quoted(foot_mode_name(mode)),
+        number(static_cast<double>(k_walk_fps)), quoted(skeleton.names[static_cast<std::size_t>(legs.hips)]),
+        number(flat.knee_peak_deg_s2), number(flat.hip_jerk_m_s3), number(flat.skate_cm_s));
+    for (std::size_t side = 0; side < 2; ++side)
+        fmt::format_to(Out(out), ", \"{}\": {}", k_side_names[side],
+                       foot_json(walks, mode, legs, skeleton, twin, side));
+    fmt::format_to(Out(out), ", \"metrics\": {}}}}}", row_json(walks.metrics[static_cast<std::size_t>(mode)]));
+    return out;
+}
+
+/// Triangles apart, so that every facet is lit as it lies.
+StaticMesh terrain_of(const SurfaceMesh& surface) {
+    StaticMesh mesh;
+    mesh.name = "terrain";
+    mesh.color = {0.62f, 0.55f, 0.42f, 1};
+    for (std::size_t t = 0; t + 2 < surface.indices.size(); t += 3) {
+        const Vec3 a = surface.positions[surface.indices[t]], b = surface.positions[surface.indices[t + 1]],
+                   c = surface.positions[surface.indices[t + 2]];
+        const Vec3 across = cross(b - a, c - a);
+        if (length_squared(across) < 1e-12f) continue;
+        for (const Vec3 p : {a, b, c}) {
+            mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+            mesh.positions.push_back(p);
+            mesh.normals.push_back(normalized(across));
+        }
+    }
+    return mesh;
+}
+
+std::string caption(const WalkMetrics& m) {
+    return fmt::format("feet sink up to {:.1f} cm and float up to {:.1f} cm; sole {:.1f}° off the ground",
+                       m.penetration_max_cm, m.float_max_cm, m.sole_angle_deg);
+}
+
+}  // namespace
+
+std::string metrics_table(const WalkInfo& info, const WalkComparison& walks) {
+    std::string out = fmt::format("{} on {}, {} at {:g} m/s, {:g} s\n", info.character, course_title(info), info.path,
+                                  info.speed_mps, walks.twin.motion.duration());
+    out +=
+        "              skate  skating  penetration     float        sole angle    over-   knee peak      knee  hip    "
+        "drift\n"
+        "              cm/s   frames   max  mean cm    max  mean cm mean worst °  extend  x flat  °/s²   min°  jerk   "
+        "m     °\n";
+    for (std::size_t i = 0; i < walks.metrics.size(); ++i) {
+        const WalkMetrics& m = walks.metrics[i];
+        fmt::format_to(Out(out),
+                       "  {:<10} {:6.2f}  {:5.1f}%  {:5.1f} {:6.3f}  {:5.1f} {:6.3f}   {:5.1f} {:5.1f}  {:6d}  {:6.2f} "
+                       "{:7.0f}  {:5.0f} {:5.2f}  {:.3f} {:.2f}\n",
+                       foot_mode_name(static_cast<FootMode>(i)), m.skate_cm_s, 100 * m.skate_share,
+                       m.penetration_max_cm, m.penetration_mean_cm, m.float_max_cm, m.float_mean_cm, m.sole_angle_deg,
+                       m.sole_angle_worst_deg, m.over_extensions, m.knee_peak_ratio, m.knee_peak_deg_s2, m.knee_min_deg,
+                       m.hip_jerk_ratio, m.drift_m, m.drift_deg);
+    }
+    const TwinFigures flat = measure_twin(make_track(walks.twin.motion, walks.legs));
+    fmt::format_to(Out(out), "  flat twin  {:6.2f}   the same clip on flat ground\n", flat.skate_cm_s);
+    return out;
+}
+
+std::string metrics_json(const WalkInfo& info, const WalkComparison& walks) {
+    std::string out = fmt::format("{{\"course\": {}, \"path\": {}, \"speed_mps\": {}, \"rows\": {{",
+                                  quoted(info.course), quoted(info.path), number(static_cast<double>(info.speed_mps)));
+    for (std::size_t i = 0; i < walks.metrics.size(); ++i)
+        fmt::format_to(Out(out), "{}\n  \"{}\": {}", i ? "," : "", foot_mode_name(static_cast<FootMode>(i)),
+                       row_json(walks.metrics[i]));
+    return out + "\n}}\n";
+}
+
+std::string walk_glb(const WalkInfo& info, const Course& course, const WalkComparison& walks, FootMode mode,
+                     const RoleMap& roles) {
+    GltfScene scene;
+    scene.motions.push_back(walks.walked[static_cast<std::size_t>(mode)].motion);
+    scene.motions.back().name = "walk_" + info.course;
+    scene.mesh = make_mannequin(*scene.motions.back().skeleton, roles, walks.legs);
+    scene.statics.push_back(terrain_of(course.mesh));
+    scene.extras = extras_json(info, walks, mode);
+    return write_glb(scene);
+}
+
+std::string walk_filmstrip(const WalkInfo& info, const Course& course, const WalkComparison& walks, FootMode mode,
+                           const RoleMap& roles) {
+    const auto with = static_cast<std::size_t>(mode), without = static_cast<std::size_t>(FootMode::none);
+    Filmstrip strip;
+    strip.title = fmt::format("{}, {:g} m/s", course_title(info), info.speed_mps);
+    strip.ground = course.ground.get();
+    strip.legs = walks.legs;
+    strip.roles = roles;
+    const Motion& plain = walks.walked[without].motion;
+    const float travelled = planar_length(plain.root.back().position - plain.root.front().position);
+    strip.length = std::clamp(travelled, 2.0f, strip.length);
+    strip.from = most_telling_stretch(plain, walks.twin.motion, walks.legs, *course.ground, strip.length);
+    strip.rows.push_back({"without foot placement", caption(walks.metrics[without]), &plain});
+    if (mode != FootMode::none)
+        strip.rows.push_back({mode == FootMode::surefoot ? "with Surefoot's foot placement" : "Colvin & Kajala 2013",
+                              caption(walks.metrics[with]), &walks.walked[with].motion});
+    return draw_filmstrip(strip);
+}
+
+}  // namespace surefoot
