@@ -14,10 +14,10 @@ namespace surefoot {
 /// All animations of a .glb or .gltf given as bytes. `where` names it in messages; buffers outside the file are read
 /// from its folder only.
 ///
-/// Joints are those of the skin and what connects them; without a skin, the animated nodes and their ancestors. Nodes
-/// above are multiplied into the top joint. Joints are rigid here: where nodes are scaled, joint positions come out
-/// exactly and translations may vary by frame. Files of ours come back as they were written, root motion apart.
-/// Throws Error.
+/// Joints are those of the skin and what connects them; without a skin, the animated nodes, bare nodes below them, and
+/// what connects them. Nodes above are multiplied into the top joint. Joints are rigid here: where nodes are scaled,
+/// joint positions come out exactly and translations may vary by frame. Files of ours come back as they were written,
+/// root motion apart. Throws Error.
 std::vector<LoadedClip> read_gltf(std::string_view bytes, const std::string& where, const LoadOptions& options = {});
 
 struct GltfScene {

@@ -2,6 +2,7 @@
 #include <surefoot/host/files.h>
 #include <surefoot/host/parallel.h>
 #include <surefoot/host/progress.h>
+#include <surefoot/io/assimp_import.h>
 #include <surefoot/io/bvh.h>
 #include <surefoot/io/clip_name.h>
 #include <surefoot/io/gltf.h>
@@ -123,6 +124,10 @@ std::vector<LoadedClip> read_clips(std::string_view bytes, const std::string& wh
         clips.push_back(read_bvh(bytes, where, options));
     else if (ext == ".glb" || ext == ".gltf")
         clips = read_gltf(bytes, where, options);
+#ifndef __EMSCRIPTEN__
+    else if (ext == ".fbx" || ext == ".dae")
+        clips = read_fbx_or_collada(bytes, where, options);
+#endif
     else
         throw Error("the extension '" + ext + "' is not one of a clip", where,
                     "clips are .bvh, .glb, .gltf, .fbx or .dae files");

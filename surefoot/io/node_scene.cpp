@@ -94,8 +94,7 @@ Vec3 ClipReader::scale_at(int node, double time) {
 void ClipReader::read_rigid(double time, std::span<Transform> locals) {
     for (std::size_t j = 0; j < picked_.nodes.size(); ++j) {
         locals[j] = local_at(picked_.nodes[j], time);
-        if (picked_.skeleton->parents[j] == k_no_joint)
-            for (const int above : picked_.above[j]) locals[j] = local_at(above, time) * locals[j];
+        for (const int above : picked_.above[j]) locals[j] = local_at(above, time) * locals[j];
     }
 }
 

@@ -22,6 +22,7 @@ struct SceneNode {
     Quat rotation;
     std::optional<Affine> matrix;  ///< instead of translation, rotation and scale, for nodes no track moves
     bool has_mesh = false;
+    bool helper = false;       ///< only ever part of the joint below it (pivots of an FBX)
     bool root_motion = false;  ///< written by us: this node's tracks are Motion::root
     Vec3 tip;                  ///< written by us: Skeleton::tips
 };

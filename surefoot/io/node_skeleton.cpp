@@ -121,21 +121,34 @@ std::vector<int> parents_of(const NodeScene& scene, const std::string& where) {
     return parents;
 }
 
+/// What the animations move, and bare nodes below that (fingers that keep still, ends of toes).
+std::vector<char> animated_and_below(const NodeScene& scene) {
+    std::vector<char> taken(scene.nodes.size());
+    std::vector<int> open;
+    for (const NodeClip& clip : scene.clips)
+        for (const NodeTrack& track : clip.tracks) open.push_back(track.node);
+    while (!open.empty()) {
+        const auto n = static_cast<std::size_t>(open.back());
+        open.pop_back();
+        if (taken[n]) continue;
+        taken[n] = 1;
+        for (const int child : scene.nodes[n].children)
+            if (!scene.nodes[static_cast<std::size_t>(child)].has_mesh) open.push_back(child);
+    }
+    return taken;
+}
+
 /// The nodes that want to be joints, in the order the file gives them.
-std::vector<int> wanted_joints(const NodeScene& scene, const std::vector<int>& parents, int root_motion,
-                               const std::string& where, std::vector<std::string>& warnings) {
+std::vector<int> wanted_joints(const NodeScene& scene, int root_motion, const std::string& where,
+                               std::vector<std::string>& warnings) {
     const auto largest = std::max_element(scene.skins.begin(), scene.skins.end(),
                                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
     std::vector<int> wanted;
     if (largest == scene.skins.end() || largest->empty()) {
-        std::vector<char> taken(scene.nodes.size());
-        for (const NodeClip& clip : scene.clips)
-            for (const NodeTrack& track : clip.tracks)
-                for (int n = track.node; n != k_no_joint && n != root_motion && !taken[static_cast<std::size_t>(n)];
-                     n = parents[static_cast<std::size_t>(n)])
-                    taken[static_cast<std::size_t>(n)] = 1;
+        std::vector<char> taken = animated_and_below(scene);
+        if (root_motion != k_no_joint) taken[static_cast<std::size_t>(root_motion)] = 0;
         for (std::size_t n = 0; n < taken.size(); ++n)
-            if (taken[n]) wanted.push_back(static_cast<int>(n));
+            if (taken[n] && !scene.nodes[n].helper) wanted.push_back(static_cast<int>(n));
         if (wanted.empty()) throw Error("no animation of the file moves a node", where, "export it with its skeleton");
         return wanted;
     }
@@ -196,6 +209,8 @@ std::vector<int> connected(const NodeScene& scene, const std::vector<int>& paren
             placed[static_cast<std::size_t>(climb.back())] = 1;
         }
     }
+    const auto is_helper = [&](int n) { return scene.nodes[static_cast<std::size_t>(n)].helper; };
+    order.erase(std::remove_if(order.begin(), order.end(), is_helper), order.end());
     return order;
 }
 
@@ -303,7 +318,7 @@ NodeSkeleton pick_skeleton(const NodeScene& scene, const std::string& where, std
     for (std::size_t n = 0; n < scene.nodes.size() && scene.ours; ++n)
         if (scene.nodes[n].root_motion && parents[n] == k_no_joint) picked.root_motion = static_cast<int>(n);
 
-    const std::vector<int> wanted = wanted_joints(scene, parents, picked.root_motion, where, warnings);
+    const std::vector<int> wanted = wanted_joints(scene, picked.root_motion, where, warnings);
     const auto check_count = [&](std::size_t count) {
         if (count > static_cast<std::size_t>(k_max_joints))
             throw Error("the skeleton has more than " + std::to_string(k_max_joints) + " joints", where,
@@ -318,17 +333,18 @@ NodeSkeleton pick_skeleton(const NodeScene& scene, const std::string& where, std
     auto skeleton = std::make_shared<Skeleton>();
     for (const int node : picked.nodes) {
         const auto at = static_cast<std::size_t>(node);
-        const int above = parents[at];
-        const int parent = above == k_no_joint ? k_no_joint : joint_of[static_cast<std::size_t>(above)];
-        joint_of[at] = skeleton->add(scene.nodes[at].name, parent, {}, end_of(scene, picked.nodes, node));
-        picked.skeleton_parents.push_back(parent);
         picked.matters[at] = 1;
-        picked.above.emplace_back();
-        if (parent != k_no_joint) continue;
-        for (int n = above; n != k_no_joint && n != picked.root_motion; n = parents[static_cast<std::size_t>(n)]) {
-            picked.above.back().push_back(n);
+        std::vector<int>& above = picked.above.emplace_back();
+        int parent = k_no_joint;
+        for (int n = parents[at]; n != k_no_joint && n != picked.root_motion;
+             n = parents[static_cast<std::size_t>(n)]) {
+            parent = joint_of[static_cast<std::size_t>(n)];
+            if (parent != k_no_joint) break;
+            above.push_back(n);
             picked.matters[static_cast<std::size_t>(n)] = 1;
         }
+        joint_of[at] = skeleton->add(scene.nodes[at].name, parent, {}, end_of(scene, picked.nodes, node));
+        picked.skeleton_parents.push_back(parent);
     }
     if (picked.root_motion != k_no_joint) picked.matters[static_cast<std::size_t>(picked.root_motion)] = 1;
     make_joint_names_unique(skeleton->names, warnings);

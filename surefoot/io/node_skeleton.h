@@ -11,7 +11,7 @@ struct NodeSkeleton {
     std::shared_ptr<const Skeleton> skeleton;
     std::vector<int> nodes;               ///< node of each joint
     std::vector<int> skeleton_parents;    ///< parent joint of each joint
-    std::vector<std::vector<int>> above;  ///< of each top joint: its ancestors, nearest first
+    std::vector<std::vector<int>> above;  ///< of each joint: its ancestors up to the next joint, nearest first
     std::vector<char> matters;            ///< of each node: a joint, or above one, or the root motion
     int root_motion = k_no_joint;         ///< node whose tracks are Motion::root, in files of ours
 
