@@ -4,7 +4,8 @@
 // relationship between step length and step rate during free walking", J. Human Movement Studies 30, 1996). Cadence of
 // running rises little with speed (Cavanagh and Kram, "Stride length in distance running", 1989). Duty factors: 0.62
 // walking; 0.39 and 0.36 running (Novacheck, "The biomechanics of running", Gait and Posture 7, 1998). Joint ranges:
-// Perry, "Gait Analysis", 1992.
+// Perry, "Gait Analysis", 1992. The times and angles of the feet were searched so that the knee, which only follows
+// from where foot and hips are, bends over the cycle as those two measured it.
 
 #include <surefoot/preset/gait_cycle.h>
 
@@ -46,12 +47,14 @@ GaitParameters walk(float speed) {
     g.name = "walk";
     g.forward = speed;
     g.intervals = intervals_at(walking_cadence(speed));
-    g.duty = 0.61f;
-    g.stance_pitch = {{0, 21}, {0.15f, 0}, {0.47f, 0}, {0.80f, -30}, {1, -62}};
-    g.swing_pitch = {{0.14f, -70}, {0.45f, -24}, {0.75f, 10}};
-    g.straightest_knee = 7;
-    g.bob = 0.018f;
-    g.bob_low = 0.035f;
+    g.duty = 0.60f;
+    g.stance_pitch = {{0, 18}, {0.12f, 0}, {0.58f, 0}, {0.90f, -30}, {1, -57}};
+    g.swing_pitch = {{0.11f, -80}, {0.36f, -32}, {0.66f, 1}};
+    g.clearance = 0.028f;
+    g.bob = 0.014f;
+    g.bob_low = 0.005f;
+    g.pelvis_yaw = 7;
+    g.straightest_knee = 6;
     return g;
 }
 
@@ -59,20 +62,20 @@ GaitParameters jog(float speed) {
     GaitParameters g = walk(speed);
     g.name = "jog";
     g.intervals = intervals_at(running_cadence(speed));
-    g.duty = 0.40f;
-    g.stance_pitch = {{0, 9}, {0.18f, 0}, {0.45f, 0}, {0.75f, -24}, {1, -58}};
-    g.swing_pitch = {{0.22f, -86}, {0.5f, -45}, {0.8f, 6}};
+    g.duty = 0.386f;
+    g.stance_pitch = {{0, 5}, {0.10f, 0}, {0.34f, 0}, {0.86f, -38}, {1, -57}};
+    g.swing_pitch = {{0.11f, -90}, {0.41f, -42}, {0.90f, 11}};
     g.toes_flat_until = 0.72f;
     g.step_width = 0.07f;
-    g.clearance = 0.07f;
-    g.kick = 0.10f;
-    g.bob = 0.035f;
-    g.bob_low = 0.20f;
+    g.clearance = 0.040f;
+    g.kick = 0.072f;
+    g.bob = 0.026f;
+    g.bob_low = 0.21f;
     g.sway = 0.012f;
     g.list = 3;
-    g.pelvis_yaw = 6;
+    g.pelvis_yaw = 8;
     g.pelvis_pitch = 6;
-    g.straightest_knee = 15;
+    g.straightest_knee = 16;
     g.lean = 7;
     g.bank = 0.55f;
     g.trunk_yaw = 10;
@@ -89,15 +92,15 @@ GaitParameters run(float speed) {
     GaitParameters g = jog(speed);
     g.name = "run";
     g.straightest_knee = 17;
-    g.duty = 0.31f;
-    g.stance_pitch = {{0, 7}, {0.15f, 0}, {0.38f, 0}, {0.72f, -32}, {1, -68}};
-    g.swing_pitch = {{0.25f, -100}, {0.5f, -62}, {0.82f, 6}};
+    g.duty = 0.30f;
+    g.stance_pitch = {{0, 5}, {0.13f, 0}, {0.34f, 0}, {0.88f, -39}, {1, -58}};
+    g.swing_pitch = {{0.11f, -96}, {0.36f, -48}, {0.90f, 11}};
     g.step_width = 0.05f;
-    g.clearance = 0.12f;
-    g.kick = 0.13f;
-    g.bob = 0.035f;
-    g.bob_low = 0.18f;
-    g.pelvis_yaw = 8;
+    g.clearance = 0.040f;
+    g.kick = 0.190f;
+    g.bob = 0.028f;
+    g.bob_low = 0.22f;
+    g.pelvis_yaw = 9;
     g.pelvis_pitch = 8;
     g.lean = 10;
     g.trunk_yaw = 13;
