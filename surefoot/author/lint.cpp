@@ -186,18 +186,33 @@ bool LintContext::near_placeholder(const ProjectSpace& space, const Placeholder&
     return false;
 }
 
-void LintContext::ask_for(const ProjectSpace& space, Finding finding, PlaceholderKind kind,
-                          const std::vector<float>& target, const std::vector<std::string>& extra_axes) {
-    if (!enabled(finding.rule.c_str())) return;
+namespace {
+
+std::vector<Axis> with_extra(const ProjectSpace& space, const std::vector<std::string>& extra_axes) {
     std::vector<Axis> axes = space.space.axes;
     for (const std::string& extra : extra_axes) axes.push_back(make_axis(extra));
-    const std::string text = "a clip that goes " + describe_place(axes, target);
+    return axes;
+}
+
+}  // namespace
+
+void LintContext::ask_for(const ProjectSpace& space, Finding finding, PlaceholderKind kind,
+                          const std::vector<float>& target, const std::vector<std::string>& extra_axes,
+                          std::optional<Severity> severity) {
+    const std::string text = "a clip that goes " + describe_place(with_extra(space, extra_axes), target);
     finding.space = space.name;
     finding.fix = Fix{"add-clip", "add " + text, space.name, target, {}};
-    Placeholder placeholder{space.name, kind, {}, target, finding.rule, text};
-    for (const Axis& axis : axes) placeholder.axes.push_back(axis.name);
+    add_placeholder(space, finding.rule.c_str(), kind, target, extra_axes, text);
+    add(std::move(finding), severity);
+}
+
+void LintContext::add_placeholder(const ProjectSpace& space, const char* rule, PlaceholderKind kind,
+                                  const std::vector<float>& target, const std::vector<std::string>& extra_axes,
+                                  const std::string& text) {
+    if (!enabled(rule)) return;
+    Placeholder placeholder{space.name, kind, {}, target, rule, text};
+    for (const Axis& axis : with_extra(space, extra_axes)) placeholder.axes.push_back(axis.name);
     if (!near_placeholder(space, placeholder)) result.placeholders.push_back(std::move(placeholder));
-    add(std::move(finding));
 }
 
 LintResult lint(const Project& project, std::span<const PoseTable> poses) {

@@ -34,10 +34,13 @@ void lint_clip(LintContext& context, const ProjectClip& clip) {
                                       clip.name),
                           "remove", "leave the clip out, or check its roles and its ground"));
 
-    const double seam_cm = 100.0 * facts.loop_error;
-    if (facts.cyclic && seam_cm > context.threshold("loop-pop", "seam"))
+    // A closed cycle has no seam left: what it was before closing is in its facts, but nobody sees it any more.
+    const double seam_cm = 100.0 * facts.loop_error, jolt_cm = facts.loop_error > 0 ? 100.0 * facts.seam_speed : 0;
+    if (facts.cyclic &&
+        (seam_cm > context.threshold("loop-pop", "seam") || jolt_cm > context.threshold("loop-pop", "speed")))
         context.add(about("loop-pop", clip,
-                          fmt::format("\"{}\" jumps by {:.1f} cm each time it starts over.", clip.name, seam_cm),
+                          fmt::format("\"{}\" jumps by {:.1f} cm and {:.0f} cm/s each time it starts over.", clip.name,
+                                      seam_cm, jolt_cm),
                           "close-loop", "close the loop, or cut the clip at a better place"));
 
     const double skate_cm = 100.0 * facts.skate;

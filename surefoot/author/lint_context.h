@@ -47,8 +47,13 @@ class LintContext {
     /// Adds a finding (nothing where its rule is off); the severity is the rule's unless given.
     void add(Finding finding, std::optional<Severity> severity = {});
     /// A finding that asks for a new clip: adds it with its fix and, unless one is nearby, a placeholder.
+    /// `extra_axes` name dimensions that the space does not have yet.
     void ask_for(const ProjectSpace& space, Finding finding, PlaceholderKind kind, const std::vector<float>& target,
-                 const std::vector<std::string>& extra_axes = {});
+                 const std::vector<std::string>& extra_axes = {}, std::optional<Severity> severity = {});
+    /// The placeholder alone.
+    void add_placeholder(const ProjectSpace& space, const char* rule, PlaceholderKind kind,
+                         const std::vector<float>& target, const std::vector<std::string>& extra_axes,
+                         const std::string& text);
 
     LintResult result;
 

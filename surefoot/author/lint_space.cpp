@@ -78,34 +78,19 @@ void lint_degenerate_space(LintContext& context, const ProjectSpace& space) {
     }
     if (space.space.dimensions() == 1) {
         const std::string& axis = space.space.axes[0].name;
-        float low = 0, high = 0;
-        for (const SpacePoint& sample : space.space.samples) {
-            low = std::min(low, sample[0]);
-            high = std::max(high, sample[0]);
-        }
-        const auto ask = [&](const char* message, const char* extra, std::vector<float> target, float other) {
-            Finding f = finding;
-            f.message = message;
-            context.ask_for(space, f, PlaceholderKind::needed, target, {extra});
-            if (!context.result.findings.empty() && context.result.findings.back().rule == "degenerate-space" &&
-                context.project().lint.find("degenerate-space") == context.project().lint.end())
-                context.result.findings.back().severity = Severity::warning;
-            // The opposite side is the mirror image; it is drawn, but one finding is enough.
-            Placeholder mirrored =
-                context.result.placeholders.empty() ? Placeholder{} : context.result.placeholders.back();
-            if (mirrored.rule != "degenerate-space" || mirrored.space != space.name) return;
-            mirrored.target[1] = other;
-            std::vector<Axis> axes = space.space.axes;
-            axes.push_back(make_axis(extra));
-            mirrored.text = "a clip that goes " + describe_place(axes, mirrored.target) + " (or the other, mirrored)";
-            context.result.placeholders.push_back(mirrored);
-        };
+        float high = 0;
+        for (const SpacePoint& sample : space.space.samples) high = std::max(high, sample[0]);
         if (axis == "speed") {
             const float pace = high >= k_walk ? k_walk : high;
-            ask("None of the clips turns, so the space has one dimension, speed: the character cannot be steered along "
+            finding.message =
+                "None of the clips turns, so the space has one dimension, speed: the character cannot be steered along "
                 "a curve. One clip that turns while it walks (its mirror image serves the other side) opens the "
-                "second.",
-                "turn", {pace, k_reference_turn / 2}, -k_reference_turn / 2);
+                "second.";
+            finding.at = {pace};
+            context.ask_for(space, finding, PlaceholderKind::needed, {pace, k_reference_turn / 2}, {"turn"},
+                            Severity::warning);
+            context.add_placeholder(space, "degenerate-space", PlaceholderKind::needed, {pace, -k_reference_turn / 2},
+                                    {"turn"}, "the mirror image of that clip");
         } else if (axis == "turn") {
             finding.message =
                 "None of the clips travels, so the space has one dimension, turn: the character can only turn on the "
@@ -280,16 +265,9 @@ void lint_too_close(LintContext& context, const ProjectSpace& space) {
                     "They are redundant: their poses differ by only {:.1f} cm, so the second costs memory and adds "
                     "little.",
                     apart_cm);
-            if (context.enabled("too-close"))
-                context.result.placeholders.push_back(
-                    {space.name,
-                     PlaceholderKind::suggested,
-                     {},
-                     finding.at,
-                     "too-close",
-                     "one clip here in place of \"" + finding.clips[0] + "\" and \"" + finding.clips[1] + "\""});
-            if (context.enabled("too-close"))
-                for (const Axis& axis : space.space.axes) context.result.placeholders.back().axes.push_back(axis.name);
+            context.add_placeholder(
+                space, "too-close", PlaceholderKind::suggested, finding.at, {},
+                "one clip here in place of \"" + finding.clips[0] + "\" and \"" + finding.clips[1] + "\"");
             context.add(std::move(finding), conflicting ? std::optional(Severity::error) : std::nullopt);
         }
 }

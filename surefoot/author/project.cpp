@@ -421,6 +421,19 @@ void save_project(const std::filesystem::path& path, const Project& project) {
     write_file(path, project_json(project));
 }
 
+std::string clip_extras_json(const ProjectClip& clip) {
+    Json events = Json::array();
+    for (const PhaseEvent& event : clip.facts.events)
+        events.push_back({{"foot", event.foot == Side::left ? "left" : "right"},
+                          {"kind", event.kind == StrideEvent::strike ? "strike" : "toe_off"},
+                          {"time_s", number(event.time)}});
+    Json json;
+    json["source"] = {{"file", clip.source}, {"first_frame", clip.source_first}, {"last_frame", clip.source_last}};
+    json["provenance"] = clip.provenance;
+    json["phase_events"] = events;
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string findings_json(const std::vector<Finding>& findings) {
     Json json;
     json["findings"] = Json::array();

@@ -84,6 +84,9 @@ Project parse_project(std::string_view json, const std::string& where, std::vect
 void save_project(const std::filesystem::path& path, const Project& project);
 std::string project_json(const Project& project);
 
+/// What travels with a clip's .glb, as a JSON object: where it comes from and when its feet strike.
+std::string clip_extras_json(const ProjectClip& clip);
+
 /// Findings in the shape of `surefoot lint --json`.
 std::string findings_json(const std::vector<Finding>& findings);
 

@@ -1,0 +1,211 @@
+#include <surefoot/author/gather.h>
+#include <surefoot/author/place.h>
+#include <surefoot/base/error.h>
+#include <surefoot/host/parallel.h>
+#include <surefoot/host/progress.h>
+#include <surefoot/io/clip_name.h>
+#include <surefoot/motion/edit.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+/// What came of one loaded clip.
+struct Measured {
+    std::vector<Candidate> kept;
+    std::vector<ProjectClip> left_out;
+    std::string failed;
+};
+
+ProjectClip left_out(const AnalyzedClip& clip, std::string reason) {
+    ProjectClip result;
+    result.name = clip.facts.name;
+    result.facts = clip.facts;
+    result.source = clip.source;
+    result.source_first = clip.source_first;
+    result.source_last = clip.source_last;
+    result.excluded = true;
+    result.reason = std::move(reason);
+    return result;
+}
+
+/// A loop whose ends do not quite meet is closed.
+void close(Candidate& candidate) {
+    constexpr float k_visible_seam = 1e-3f;  // [m]
+    ClipFacts& facts = candidate.clip.facts;
+    if (facts.loop_error <= k_visible_seam) return;
+    const LoopClosing closing = close_loop(candidate.clip.motion);
+    facts.seam = closing.seam;
+    facts.seam_speed = closing.seam_speed;
+    facts.closing = closing.added;
+    facts.loop_error = 0;
+    candidate.provenance.push_back(fmt::format(
+        "loop closed: a seam of {:.1f} cm was spread over the cycle, moving no joint by more than {:.1f} cm",
+        100 * closing.seam, 100 * closing.added));
+}
+
+Measured measure(LoadedClip loaded, const RoleOverrides& overrides) {
+    Measured result;
+    try {
+        AnalyzedClip clip = analyze_clip(std::move(loaded.motion), loaded.file, loaded.unit_scale, overrides);
+        clip.facts.warnings.insert(clip.facts.warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
+        std::vector<std::string> provenance;
+        if (clip.facts.in_place) provenance.push_back("in place: its root motion was made from the planted feet");
+        if (!clip.facts.locomotion) {
+            result.left_out.push_back(left_out(clip, clip.facts.not_locomotion));
+            return result;
+        }
+        if (clip.facts.cyclic) {
+            result.kept.push_back({std::move(clip), provenance, false});
+            close(result.kept.back());
+            return result;
+        }
+        std::vector<AnalyzedClip> cycles = find_cycles(clip);
+        if (cycles.empty())
+            result.left_out.push_back(left_out(clip, "it does not loop and no steady cycle was found in it"));
+        const bool single = cycles.size() == 1;
+        for (AnalyzedClip& cycle : cycles) {
+            Candidate candidate{std::move(cycle), provenance, true};
+            ClipFacts& facts = candidate.clip.facts;
+            if (single) facts.name = clip.facts.name;
+            candidate.provenance.push_back(
+                fmt::format("cut from frames {} to {}", candidate.clip.source_first, candidate.clip.source_last));
+            if (facts.seam > 0)
+                candidate.provenance.push_back(
+                    fmt::format("loop closed: a seam of {:.1f} cm was spread over the cycle, moving no joint by more "
+                                "than {:.1f} cm",
+                                100 * facts.seam, 100 * facts.closing));
+            close(candidate);
+            result.kept.push_back(std::move(candidate));
+        }
+    } catch (const Error& error) {
+        result.failed = error.what();
+    }
+    return result;
+}
+
+/// Leaves one skeleton: that of most clips, the first of equals.
+void keep_one_skeleton(Gathered& gathered) {
+    std::vector<const Skeleton*> skeletons;
+    std::vector<std::size_t> of, count;
+    for (const Candidate& candidate : gathered.kept) {
+        const Skeleton* skeleton = candidate.clip.motion.skeleton.get();
+        std::size_t n = 0;
+        while (n < skeletons.size() && skeletons[n] != skeleton && !(*skeletons[n] == *skeleton)) ++n;
+        if (n == skeletons.size()) skeletons.push_back(skeleton), count.push_back(0);
+        of.push_back(n);
+        ++count[n];
+    }
+    if (skeletons.size() < 2) return;
+    const auto most = static_cast<std::size_t>(std::max_element(count.begin(), count.end()) - count.begin());
+    std::vector<Candidate> kept;
+    for (std::size_t i = 0; i < gathered.kept.size(); ++i) {
+        if (of[i] == most) {
+            kept.push_back(std::move(gathered.kept[i]));
+            continue;
+        }
+        gathered.left_out.push_back(left_out(
+            gathered.kept[i].clip,
+            fmt::format("it moves another skeleton ({} joints) than the {} clips of the space ({} joints); retarget it",
+                        skeletons[of[i]]->joint_count(), count[most], skeletons[most]->joint_count())));
+    }
+    gathered.kept = std::move(kept);
+}
+
+/// Percent of an axis' range below which a cycle cut from a take adds nothing to one that loops better.
+constexpr double k_same_place = 3;
+
+/// Of cycles that takes hold at nearly the same place, the best-looping stays.
+void thin(Gathered& gathered) {
+    std::vector<float> values[4];
+    const char* names[4] = {"speed", "turn", "forward", "lateral"};
+    double range[4];
+    for (int k = 0; k < 4; ++k) {
+        for (const Candidate& candidate : gathered.kept)
+            values[k].push_back(axis_value(candidate.clip.facts, names[k]));
+        Axis axis = make_axis(names[k]);
+        set_limits(axis, values[k]);
+        range[k] = static_cast<double>(axis.high) - axis.low;
+    }
+    const std::size_t count = gathered.kept.size();
+    std::vector<std::size_t> order(count);
+    for (std::size_t i = 0; i < count; ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const Candidate &x = gathered.kept[a], &y = gathered.kept[b];
+        if (x.cut_from_take != y.cut_from_take) return !x.cut_from_take;
+        return x.clip.facts.seam < y.clip.facts.seam;
+    });
+    std::vector<std::size_t> chosen;
+    std::vector<std::string> reason(count);
+    for (const std::size_t i : order) {
+        if (gathered.kept[i].cut_from_take)
+            for (const std::size_t other : chosen) {
+                double square = 0;
+                for (int k = 0; k < 4; ++k) {
+                    const double delta = 100 * (static_cast<double>(values[k][i]) - values[k][other]) / range[k];
+                    // Speed says the same as forward and lateral together, but for its sign.
+                    if (k > 0) square += delta * delta;
+                }
+                if (std::sqrt(square) >= k_same_place) continue;
+                reason[i] =
+                    fmt::format("it does what \"{}\" does, which loops better", gathered.kept[other].clip.facts.name);
+                break;
+            }
+        if (reason[i].empty()) chosen.push_back(i);
+    }
+    std::vector<Candidate> kept;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (reason[i].empty())
+            kept.push_back(std::move(gathered.kept[i]));
+        else
+            gathered.left_out.push_back(left_out(gathered.kept[i].clip, reason[i]));
+    }
+    gathered.kept = std::move(kept);
+}
+
+void name_clips(Gathered& gathered) {
+    std::vector<std::string*> names;
+    for (Candidate& candidate : gathered.kept) {
+        candidate.clip.facts.name = safe_file_name(candidate.clip.facts.name);
+        names.push_back(&candidate.clip.facts.name);
+    }
+    for (ProjectClip& clip : gathered.left_out) names.push_back(&clip.name);
+    make_unique(names);
+    for (Candidate& candidate : gathered.kept) candidate.clip.motion.name = candidate.clip.facts.name;
+    for (ProjectClip& clip : gathered.left_out) clip.facts.name = clip.name;
+    std::sort(gathered.kept.begin(), gathered.kept.end(),
+              [](const Candidate& a, const Candidate& b) { return a.clip.facts.name < b.clip.facts.name; });
+    std::sort(gathered.left_out.begin(), gathered.left_out.end(),
+              [](const ProjectClip& a, const ProjectClip& b) { return a.name < b.name; });
+}
+
+}  // namespace
+
+Gathered gather(std::vector<LoadedClip> clips, const RoleOverrides& overrides) {
+    std::vector<Measured> measured(clips.size());
+    {
+        Progress progress("measuring", clips.size());
+        parallel_for(clips.size(), [&](std::size_t i) {
+            measured[i] = measure(std::move(clips[i]), overrides);
+            progress.advance();
+        });
+    }
+    Gathered gathered;
+    for (Measured& one : measured) {
+        std::move(one.kept.begin(), one.kept.end(), std::back_inserter(gathered.kept));
+        std::move(one.left_out.begin(), one.left_out.end(), std::back_inserter(gathered.left_out));
+        if (!one.failed.empty()) gathered.failed.push_back(one.failed);
+    }
+    keep_one_skeleton(gathered);
+    name_clips(gathered);
+    thin(gathered);
+    std::sort(gathered.left_out.begin(), gathered.left_out.end(),
+              [](const ProjectClip& a, const ProjectClip& b) { return a.name < b.name; });
+    return gathered;
+}
+
+}  // namespace surefoot

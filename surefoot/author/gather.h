@@ -1,0 +1,30 @@
+#pragma once
+// The first half of authoring: from loaded clips to measured, closed, named cycles of one skeleton, and a reason for
+// everything that was left out.
+
+#include <surefoot/analysis/analyze.h>
+#include <surefoot/author/project.h>
+#include <surefoot/io/load.h>
+
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+struct Candidate {
+    AnalyzedClip clip;
+    std::vector<std::string> provenance;
+    bool cut_from_take = false;  ///< we chose it; a clip that the user made stays in even where it is one too many
+};
+
+struct Gathered {
+    std::vector<Candidate> kept;        ///< in order of name
+    std::vector<ProjectClip> left_out;  ///< with reasons, in order of name
+    std::vector<std::string> failed;    ///< clips that could not be measured
+};
+
+/// Measures clips (in parallel), cuts takes into cycles, drops what is not locomotion, keeps the skeleton that most
+/// clips share, thins cycles of takes that do nearly the same, and makes names unique.
+Gathered gather(std::vector<LoadedClip> clips, const RoleOverrides& overrides);
+
+}  // namespace surefoot
