@@ -1,0 +1,119 @@
+// surefoot author CLIPS... -o DIR: from clips to a placed, triangulated, linted blend space with a report.
+
+#include "command.h"
+
+#include <surefoot/author/author.h>
+#include <surefoot/base/error.h>
+#include <surefoot/motion/motion.h>
+#include <surefoot/preset/default_set.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+namespace surefoot::cli {
+namespace {
+
+struct Options {
+    std::vector<std::string> clips;
+    std::string folder, name;
+    std::vector<std::string> axes;
+    double unit_scale = 0;
+    bool strict = false, use_default = false, no_mannequin = false, json = false;
+};
+
+void print_table(const Project& project) {
+    std::size_t width = 4;
+    for (const ProjectClip& clip : project.clips)
+        if (!clip.excluded) width = std::max(width, clip.name.size());
+    width = std::min<std::size_t>(width, 40);
+    fmt::print("{:<{}}  {:>7}  {:>7}  {:>7}  {:>7}  {:>7}  {:>7}  {}\n", "clip", width, "speed", "to left", "turn",
+               "steps", "length", "skate", "space");
+    fmt::print("{:<{}}  {:>7}  {:>7}  {:>7}  {:>7}  {:>7}  {:>7}\n", "", width, "m/s", "m/s", "deg/s", "a min", "s",
+               "cm/s");
+    for (std::size_t c = 0; c < project.clips.size(); ++c) {
+        const ProjectClip& clip = project.clips[c];
+        if (clip.excluded) continue;
+        std::string spaces;
+        for (const ProjectSpace& space : project.spaces)
+            if (std::find(space.clips.begin(), space.clips.end(), static_cast<int>(c)) != space.clips.end())
+                spaces += (spaces.empty() ? "" : ", ") + space.name;
+        const ClipFacts& f = clip.facts;
+        const auto zero = [](float v, float small) { return std::fabs(v) < small ? 0.0f : v; };  // no "-0.00"
+        fmt::print("{:<{}}  {:>7.2f}  {:>7.2f}  {:>7.1f}  {:>7.0f}  {:>7.2f}  {:>7.1f}  {}\n", clip.name, width,
+                   zero(f.speed, 0.005f), zero(f.lateral, 0.005f), zero(f.turn, 0.05f), f.cadence, f.duration,
+                   100 * f.skate, spaces);
+    }
+}
+
+void print_left_out(const Project& project) {
+    const auto count =
+        std::count_if(project.clips.begin(), project.clips.end(), [](const ProjectClip& c) { return c.excluded; });
+    if (count == 0) return;
+    fmt::print("\nleft out ({}):\n", count);
+    for (const ProjectClip& clip : project.clips)
+        if (clip.excluded) fmt::print("  {}: {}\n", clip.name, clip.reason);
+}
+
+/// Errors and warnings in full, but no more than a few of a kind; the report has them all.
+void print_findings(const Project& project) {
+    constexpr int k_most_of_a_kind = 3;
+    fmt::print("\n");
+    if (project.findings.empty()) fmt::print("no findings\n");
+    std::map<std::string, int> shown;
+    for (const Finding& finding : project.findings) {
+        if (++shown[finding.rule] > k_most_of_a_kind) continue;
+        fmt::print("{}: {}: {}\n", severity_name(finding.severity), finding.rule, finding.message);
+        if (finding.fix) fmt::print("    mend it: {}\n", finding.fix->text);
+    }
+    for (const auto& [rule, count] : shown)
+        if (count > k_most_of_a_kind) fmt::print("... and {} more of {}\n", count - k_most_of_a_kind, rule);
+}
+
+int run(const Options& options) {
+    if (options.clips.empty() && !options.use_default)
+        throw Error("no clips were given", "author", "name files or folders, or use --default for the generated set");
+    AuthorOptions author;
+    author.name = options.name;
+    author.axes = options.axes;
+    author.unit_scale = options.unit_scale;
+    author.mannequin = !options.no_mannequin;
+    const AuthorResult result = options.clips.empty() ? author_motions(make_default_set().clips, options.folder, author)
+                                                      : author_clips(options.clips, options.folder, author);
+    for (const std::string& failure : result.failed) fmt::print(stderr, "surefoot: {}\n", failure);
+    for (const std::string& warning : result.warnings) fmt::print(stderr, "surefoot: {}\n", warning);
+    if (options.json) {
+        std::fputs(findings_json(result.project.findings).c_str(), stdout);
+    } else {
+        print_table(result.project);
+        print_left_out(result.project);
+        print_findings(result.project);
+        fmt::print("\nproject: {}\nreport:  {}\n", result.project_file.string(), result.report_file.string());
+    }
+    return options.strict && !result.failed.empty() ? 2 : 0;
+}
+
+}  // namespace
+
+extern const Command k_author;
+const Command k_author{
+    "author", "make a blend space from clips: place, triangulate, lint, report", [](CLI::App& app) {
+        auto options = std::make_shared<Options>();
+        app.add_option("clips", options->clips, "files or folders of .bvh, .glb, .gltf, .fbx; FILE#NAME for one clip");
+        app.add_option("-o,--output", options->folder, "folder for project.json, report.html and clips")->required();
+        app.add_flag("--default", options->use_default, "use the generated set of clips where none is given");
+        app.add_option("--axes", options->axes, "axes of a space, as speed,turn or forward,lateral (repeatable)")
+            ->allow_extra_args(false);
+        app.add_option("--name", options->name, "title of the project");
+        app.add_option("--unit-scale", options->unit_scale, "metres per unit of the files (default: guessed)")
+            ->check(CLI::PositiveNumber);
+        app.add_flag("--no-mannequin", options->no_mannequin, "write the clips without a body");
+        app.add_flag("--strict", options->strict, "exit with 2 where a clip could not be read");
+        app.add_flag("--json", options->json, "print the findings as JSON");
+        return [options] { return run(*options); };
+    }};
+
+}  // namespace surefoot::cli

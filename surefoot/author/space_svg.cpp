@@ -1,0 +1,357 @@
+// A blend space as a picture: what Figures 1 and 4 of Delicado & Pelechano 2019 show, for any space.
+//
+// The second axis runs across and is turned round, so that what goes to the character's left is drawn on the left; the
+// first runs up. A one-dimensional space is drawn in the plane that it could span, with the missing axis greyed. Every
+// kind of problem has a shape of its own besides its colour.
+
+#include <surefoot/author/labels.h>
+#include <surefoot/author/place.h>
+#include <surefoot/author/report.h>
+#include <surefoot/author/report_style.h>
+#include <surefoot/math/trig.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace surefoot {
+namespace {
+
+constexpr double k_left = 70, k_right = 26, k_top = 20, k_bottom = 58;  // [px] room for ticks and titles
+constexpr double k_mark = 6.5;                                          // [px] radius of a sample
+constexpr std::size_t k_most_names = 26;  // with more samples than this, marks carry numbers and the table the names
+
+class Chart {
+  public:
+    Chart(const Project& project, const ProjectSpace& space, double width, double height)
+        : project_(project), space_(space), width_(width), height_(height) {
+        choose_axes();
+        choose_domain();
+    }
+
+    std::string draw() {
+        out_ = fmt::format(
+            "<svg class=\"space\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" "
+            "aria-label=\"Blend space {}\">\n",
+            width_, height_, escape_html(space_.name));
+        defs();
+        grid();
+        triangles();
+        axes();
+        edges_of_findings();
+        close_pairs();
+        placeholders();
+        samples();
+        labels();
+        frame_and_titles();
+        out_ += "</svg>\n";
+        return std::move(out_);
+    }
+
+  private:
+    // --- geometry
+
+    void choose_axes() {
+        const auto& axes = space_.space.axes;
+        up_ = axes[0];
+        if (axes.size() > 1) {
+            across_ = axes[1];
+            across_slot_ = 1;
+            return;
+        }
+        flat_ = true;
+        const std::string& name = axes[0].name;
+        if (name == "turn" || name == "lateral") {  // the only axis lies across
+            across_ = axes[0];
+            across_slot_ = 0;
+            up_slot_ = -1;
+            up_ = make_axis(name == "turn" ? "speed" : "forward");
+            up_.low = name == "turn" ? 0.0f : -1.0f;
+        } else {
+            across_ = make_axis(name == "forward" ? "lateral" : "turn");
+            if (name == "forward") across_.low = -1;
+            across_slot_ = -1;
+        }
+    }
+
+    void choose_domain() {
+        low_x_ = across_.low, high_x_ = across_.high, low_y_ = up_.low, high_y_ = up_.high;
+        const auto include = [&](double x, double y) {
+            low_x_ = std::min(low_x_, x), high_x_ = std::max(high_x_, x);
+            low_y_ = std::min(low_y_, y), high_y_ = std::max(high_y_, y);
+        };
+        include(0, 0);
+        for (std::size_t i = 0; i < space_.space.samples.size(); ++i)
+            include(value_x(space_.space.samples[i]), value_y(space_.space.samples[i]));
+        for (const Placeholder& placeholder : project_.placeholders)
+            if (double x, y; placeholder_at(placeholder, x, y)) include(x, y);
+        const double margin_x = 0.07 * (high_x_ - low_x_), margin_y = 0.07 * (high_y_ - low_y_);
+        low_x_ -= margin_x, high_x_ += margin_x, low_y_ -= margin_y, high_y_ += margin_y;
+    }
+
+    double value_x(const SpacePoint& p) const { return across_slot_ < 0 ? 0 : p[across_slot_]; }
+    double value_y(const SpacePoint& p) const { return up_slot_ < 0 ? 0 : p[up_slot_]; }
+    bool reversed() const { return across_.name == "turn" || across_.name == "lateral"; }
+    double px(double x) const {
+        const double share = (x - low_x_) / (high_x_ - low_x_);
+        return k_left + (reversed() ? 1 - share : share) * (width_ - k_left - k_right);
+    }
+    double py(double y) const {
+        return height_ - k_bottom - (y - low_y_) / (high_y_ - low_y_) * (height_ - k_top - k_bottom);
+    }
+    double sample_x(int i) const { return px(value_x(space_.space.samples[i])); }
+    double sample_y(int i) const { return py(value_y(space_.space.samples[i])); }
+    int sample_named(const std::string& name) const {
+        for (std::size_t i = 0; i < space_.clips.size(); ++i)
+            if (project_.clips[space_.clips[i]].name == name) return static_cast<int>(i);
+        return -1;
+    }
+    bool placeholder_at(const Placeholder& placeholder, double& x, double& y) const {
+        if (placeholder.space != space_.name) return false;
+        x = y = 0;
+        for (std::size_t k = 0; k < placeholder.axes.size() && k < placeholder.target.size(); ++k) {
+            if (placeholder.axes[k] == across_.name) x = placeholder.target[k];
+            if (placeholder.axes[k] == up_.name) y = placeholder.target[k];
+        }
+        return true;
+    }
+
+    // --- parts
+
+    void add(const std::string& text) { out_ += text; }
+    void line(const char* style, double x0, double y0, double x1, double y1) {
+        add(fmt::format("<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n", style, x0, y0,
+                        x1, y1));
+    }
+    void text(const char* style, double x, double y, const std::string& what, const char* anchor = "start") {
+        add(fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", style, x, y,
+                        anchor, escape_html(what)));
+    }
+
+    void defs() {
+        add(fmt::format(
+            "<defs>\n"
+            "<pattern id=\"hatch-{0}\" width=\"9\" height=\"9\" patternUnits=\"userSpaceOnUse\" "
+            "patternTransform=\"rotate(45)\"><line class=\"hatch\" x1=\"0\" y1=\"0\" x2=\"0\" y2=\"9\"/></pattern>\n"
+            "<pattern id=\"dots-{0}\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><circle class=\"dot\" "
+            "cx=\"3\" cy=\"3\" r=\"1.3\"/></pattern>\n</defs>\n",
+            escape_html(space_.name)));
+    }
+
+    static double tick_step(double range, bool degrees) {
+        const double rough = range / 8;
+        for (const double step : {0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0})
+            if (!degrees && step >= rough) return step;
+        for (const double step : {1.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0})
+            if (degrees && step >= rough) return step;
+        return rough;
+    }
+
+    template <typename Each>
+    static void for_ticks(double low, double high, double step, const Each& each) {
+        for (int n = static_cast<int>(std::ceil(low / step - 1e-9)); n * step <= high + 1e-9 * step; ++n)
+            each(n * step);
+    }
+
+    void grid() {
+        const double x0 = px(low_x_), x1 = px(high_x_), y0 = py(low_y_), y1 = py(high_y_);
+        add(fmt::format("<rect class=\"plot\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
+                        std::min(x0, x1), y1, std::fabs(x1 - x0), y0 - y1));
+        if (!flat_) {  // what no clip covers, within the limits of the axes
+            const double a = px(across_.low), b = px(across_.high);
+            add(fmt::format(
+                "<rect fill=\"url(#hatch-{})\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
+                "height=\"{:.1f}\"/>\n",
+                escape_html(space_.name), std::min(a, b), py(up_.high), std::fabs(b - a), py(up_.low) - py(up_.high)));
+        }
+        const bool across_degrees = across_.unit != "m/s", up_degrees = up_.unit != "m/s";
+        for_ticks(low_x_, high_x_, tick_step(high_x_ - low_x_, across_degrees), [&](double v) {
+            line("grid", px(v), y0, px(v), y1);
+            if (across_slot_ >= 0) text("tick", px(v), y0 + 16, fmt::format("{:g}", v), "middle");
+        });
+        for_ticks(low_y_, high_y_, tick_step(high_y_ - low_y_, up_degrees), [&](double v) {
+            line("grid", x0, py(v), x1, py(v));
+            if (up_slot_ >= 0) text("tick", k_left - 8, py(v) + 4, fmt::format("{:g}", v), "end");
+        });
+    }
+
+    void triangles() {
+        std::set<std::set<std::string>> acute;
+        for (const Finding& finding : project_.findings)
+            if (finding.rule == "acute-triangle" && finding.space == space_.name)
+                acute.insert({finding.clips.begin(), finding.clips.end()});
+        std::string slivers;
+        for (const Simplex& simplex : space_.space.simplices) {
+            std::string points;
+            std::set<std::string> names;
+            for (int k = 0; k <= k_max_dimensions && simplex[k] >= 0; ++k) {
+                points += fmt::format("{:.1f},{:.1f} ", sample_x(simplex[k]), sample_y(simplex[k]));
+                names.insert(project_.clips[space_.clips[simplex[k]]].name);
+                for (int j = 0; j < k; ++j)
+                    segments_.push_back(
+                        {sample_x(simplex[j]), sample_y(simplex[j]), sample_x(simplex[k]), sample_y(simplex[k])});
+            }
+            add(fmt::format("<polygon class=\"triangle\" points=\"{}\"/>\n", points));
+            if (acute.count(names))
+                slivers += fmt::format(
+                    "<polygon class=\"acute\" points=\"{0}\"/><polygon fill=\"url(#dots-{1})\" points=\"{0}\"/>\n",
+                    points, escape_html(space_.name));
+        }
+        add(slivers);
+    }
+
+    void axes() {
+        line(up_slot_ < 0 ? "zero missing" : "zero", px(0), py(low_y_), px(0), py(high_y_));
+        line(across_slot_ < 0 ? "zero missing" : "zero", px(low_x_), py(0), px(high_x_), py(0));
+    }
+
+    void edges_of_findings() {
+        for (const Finding& finding : project_.findings) {
+            const bool crossing = finding.rule == "crossing-axis", opposite = finding.rule == "opposite-directions",
+                       dissimilar = finding.rule == "dissimilar-neighbours";
+            if (finding.space != space_.name || finding.clips.size() != 2 || !(crossing || opposite || dissimilar))
+                continue;
+            const int a = sample_named(finding.clips[0]), b = sample_named(finding.clips[1]);
+            if (a < 0 || b < 0) continue;
+            line(crossing   ? "crossing"
+                 : opposite ? "opposite"
+                            : "dissimilar",
+                 sample_x(a), sample_y(a), sample_x(b), sample_y(b));
+            if (!crossing) continue;
+            SpacePoint at{};
+            std::copy(finding.at.begin(), finding.at.end(), at.begin());
+            const double x = px(value_x(at)), y = py(value_y(at));
+            line("cross", x - 6, y - 6, x + 6, y + 6);
+            line("cross", x - 6, y + 6, x + 6, y - 6);
+        }
+    }
+
+    void close_pairs() {
+        for (const Finding& finding : project_.findings) {
+            if (finding.space != space_.name || finding.clips.size() != 2) continue;
+            if (finding.rule != "too-close" && finding.rule != "duplicate") continue;
+            const int a = sample_named(finding.clips[0]), b = sample_named(finding.clips[1]);
+            if (a < 0 || b < 0) continue;
+            const double x0 = sample_x(a), y0 = sample_y(a), x1 = sample_x(b), y1 = sample_y(b);
+            const double dx = x1 - x0, dy = y1 - y0, length = std::sqrt(dx * dx + dy * dy), pad = k_mark + 6;
+            add(
+                fmt::format("<rect class=\"close\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
+                            "rx=\"{:.1f}\" transform=\"translate({:.1f} {:.1f}) rotate({:.1f})\"/>\n",
+                            -pad, -pad, length + 2 * pad, 2 * pad, pad, x0, y0, atan2(dy, dx) * 180 / k_pi));
+        }
+    }
+
+    void placeholders() {
+        for (const Placeholder& placeholder : project_.placeholders) {
+            double x, y;
+            if (placeholder.rule == "too-close" || !placeholder_at(placeholder, x, y)) continue;
+            add(placeholder_mark(placeholder.kind, px(x), py(y)));
+            marks_.push_back({px(x) - 8, py(y) - 8, px(x) + 8, py(y) + 8});
+        }
+    }
+
+    void samples() {
+        std::set<std::string> misaligned;
+        for (const Finding& finding : project_.findings)
+            if (finding.rule == "misaligned" && finding.space == space_.name)
+                misaligned.insert(finding.clips.begin(), finding.clips.end());
+        const bool numbered = space_.clips.size() > k_most_names;
+        const double radius = numbered ? 9 : k_mark;
+        for (int i = 0; i < static_cast<int>(space_.clips.size()); ++i) {
+            const double x = sample_x(i), y = sample_y(i);
+            const ProjectClip& clip = project_.clips[space_.clips[i]];
+            if (misaligned.count(clip.name)) add(diamond("misaligned", x, y, radius + 6));
+            add(fmt::format(
+                "<circle class=\"sample\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"><title>{}: {}</title>"
+                "</circle>\n",
+                x, y, radius, escape_html(clip.name),
+                escape_html(describe_place(space_.space.axes, std::vector<float>(space_.space.samples[i].begin(),
+                                                                                 space_.space.samples[i].begin() +
+                                                                                     space_.space.dimensions())))));
+            marks_.push_back({x - radius, y - radius, x + radius, y + radius});
+            if (numbered) text("number", x, y + 3.5, std::to_string(space_.clips[i] + 1), "middle");
+        }
+    }
+
+    void labels() {
+        if (space_.clips.size() > k_most_names) return;
+        std::vector<int> order(space_.clips.size());
+        for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+        std::sort(order.begin(), order.end(), [&](int a, int b) {
+            return std::pair(sample_y(a), sample_x(a)) < std::pair(sample_y(b), sample_x(b));
+        });
+        std::vector<LabelRequest> requests;
+        for (const int i : order) {
+            std::string name = project_.clips[space_.clips[i]].name;
+            constexpr std::size_t k_longest = 22;
+            if (name.size() > k_longest) {
+                std::size_t end = k_longest - 2;
+                while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0u) == 0x80u) --end;
+                name = name.substr(0, end) + "\xe2\x80\xa6";
+            }
+            requests.push_back({name, sample_x(i), sample_y(i), k_mark, 11.5});
+        }
+        const Box frame{k_left + 2, k_top + 2, width_ - k_right - 2, height_ - k_bottom - 2};
+        const std::vector<PlacedLabel> placed = place_labels(requests, marks_, segments_, frame);
+        for (std::size_t n = 0; n < placed.size(); ++n) {
+            if (placed[n].leader) line("leader", requests[n].x, requests[n].y, placed[n].leader_x, placed[n].leader_y);
+        }
+        for (std::size_t n = 0; n < placed.size(); ++n) text("name", placed[n].x, placed[n].y, requests[n].text);
+    }
+
+    void frame_and_titles() {
+        const auto title = [](const Axis& axis) {
+            if (axis.name == "turn")
+                return std::string("turn, deg/s   (\xe2\x86\x90 to its left, to its right \xe2\x86\x92)");
+            if (axis.name == "lateral")
+                return std::string("sideways speed, m/s   (\xe2\x86\x90 to its left, to its right \xe2\x86\x92)");
+            if (axis.name == "forward") return std::string("forward speed, m/s");
+            return axis.name + (axis.unit.empty() ? "" : ", " + axis.unit);
+        };
+        const double middle_x = 0.5 * (k_left + width_ - k_right), middle_y = 0.5 * (k_top + height_ - k_bottom);
+        text(across_slot_ < 0 ? "title absent" : "title", middle_x, height_ - 14,
+             across_slot_ < 0 ? "no clip differs in " + across_.name : title(across_), "middle");
+        add(
+            fmt::format("<text class=\"{}\" transform=\"translate(20 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}"
+                        "</text>\n",
+                        up_slot_ < 0 ? "title absent" : "title", middle_y,
+                        escape_html(up_slot_ < 0 ? "no clip differs in " + up_.name : title(up_))));
+    }
+
+    const Project& project_;
+    const ProjectSpace& space_;
+    double width_, height_;
+    Axis across_, up_;
+    int across_slot_ = 1, up_slot_ = 0;  // -1: the axis that a 1-D space does not have
+    bool flat_ = false;
+    double low_x_ = 0, high_x_ = 1, low_y_ = 0, high_y_ = 1;
+    std::vector<Box> marks_;
+    std::vector<Segment> segments_;
+    std::string out_;
+};
+
+}  // namespace
+
+std::string diamond(const char* style, double x, double y, double radius) {
+    return fmt::format("<polygon class=\"{}\" points=\"{:.1f},{:.1f} {:.1f},{:.1f} {:.1f},{:.1f} {:.1f},{:.1f}\"/>\n",
+                       style, x, y - radius, x + radius, y, x, y + radius, x - radius, y);
+}
+
+std::string placeholder_mark(PlaceholderKind kind, double x, double y) {
+    // Needed: an orange square with a cross in it; suggested: a green triangle.
+    if (kind == PlaceholderKind::needed)
+        return fmt::format(
+            "<rect class=\"needed\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"15\" height=\"15\" rx=\"2\"/>"
+            "<path class=\"plus\" d=\"M{:.1f} {:.1f}h8m-4 -4v8\"/>\n",
+            x - 7.5, y - 7.5, x - 4, y);
+    return fmt::format("<polygon class=\"suggested\" points=\"{:.1f},{:.1f} {:.1f},{:.1f} {:.1f},{:.1f}\"/>\n", x,
+                       y - 9, x + 8.5, y + 6.5, x - 8.5, y + 6.5);
+}
+
+std::string space_svg(const Project& project, const ProjectSpace& space, double width, double height) {
+    return Chart(project, space, width, height).draw();
+}
+
+}  // namespace surefoot
