@@ -1,0 +1,183 @@
+// Speed of the runtime, per character. `us_per_character` is the figure to compare; `calibrate` tells how fast the
+// machine is today.
+
+#include <benchmark/benchmark.h>
+
+#include <surefoot/clip/kernels.h>
+
+#include <algorithm>
+
+#include "stage.h"
+
+namespace surefoot::bench {
+namespace {
+
+const LocomotionGraph& graph() {
+    static const LocomotionGraph made = make_graph();
+    return made;
+}
+
+/// Microseconds a character: the inverse of a rate of millions of characters a second.
+void per_character(benchmark::State& state, double characters = 1) {
+    state.counters["us_per_character"] = benchmark::Counter(
+        characters * 1e-6, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+/// Leaves at times that do not repeat, as in play; `random` seeks anywhere, else frames follow one another.
+std::vector<Leaf> leaves_at(int count, int step, bool random) {
+    std::vector<Leaf> leaves;
+    for (int i = 0; i < count; ++i) {
+        const int frame = random ? step * 37 % 60 : step % 60;
+        leaves.push_back({i, (static_cast<float>(frame) + 0.3f) / 60, 1.0f / static_cast<float>(i + 2)});
+    }
+    return leaves;
+}
+
+void sample_blend(benchmark::State& state, bool scalar, bool random) {
+    std::vector<Transform> locals(k_joints);
+    std::vector<std::vector<Leaf>> plays;
+    for (int step = 0; step < 240; ++step) plays.push_back(leaves_at(static_cast<int>(state.range(0)), step, random));
+    std::size_t at = 0;
+    for (auto _ : state) {
+        const auto& leaves = plays[at];
+        at = at + 1 < plays.size() ? at + 1 : 0;
+        if (scalar)
+            sample_pose_scalar(*graph().skeleton, graph().clips, leaves, locals);
+        else
+            sample_pose(*graph().skeleton, graph().clips, leaves, locals);
+        benchmark::DoNotOptimize(locals.data());
+        benchmark::ClobberMemory();
+    }
+    per_character(state);
+}
+BENCHMARK_CAPTURE(sample_blend, vector, false, false)->ArgName("clips")->Arg(1)->Arg(3)->Arg(6);
+BENCHMARK_CAPTURE(sample_blend, vector_random_access, false, true)->ArgName("clips")->Arg(3);
+BENCHMARK_CAPTURE(sample_blend, scalar, true, false)->ArgName("clips")->Arg(3);
+
+void local_to_model_one(benchmark::State& state) {
+    std::vector<Transform> locals = graph().skeleton->rest, models(k_joints);
+    std::vector<Matrix34> matrices(k_joints);
+    for (auto _ : state) {
+        local_to_model(*graph().skeleton, locals, models);
+        std::transform(models.begin(), models.end(), matrices.begin(), to_matrix);
+        benchmark::DoNotOptimize(matrices.data());
+        benchmark::ClobberMemory();
+    }
+    per_character(state);
+}
+BENCHMARK(local_to_model_one);
+
+void local_to_model_eight(benchmark::State& state, bool scalar) {
+    std::vector<Transform> locals[k_lanes];
+    std::vector<Matrix34> models[k_lanes];
+    std::vector<float> scratch(model_scratch_floats(k_joints));
+    const Transform* in[k_lanes];
+    Matrix34* out[k_lanes];
+    for (int c = 0; c < k_lanes; ++c) {
+        locals[c] = graph().skeleton->rest;
+        models[c].resize(k_joints);
+        in[c] = locals[c].data();
+        out[c] = models[c].data();
+    }
+    for (auto _ : state) {
+        if (scalar)
+            local_to_model_8_scalar(*graph().skeleton, in, out, scratch.data());
+        else
+            local_to_model_8(*graph().skeleton, in, out, scratch.data());
+        benchmark::ClobberMemory();
+    }
+    per_character(state, k_lanes);
+}
+BENCHMARK_CAPTURE(local_to_model_eight, vector, false);
+BENCHMARK_CAPTURE(local_to_model_eight, scalar, true);
+
+/// Steering that never rests, and stays within the space.
+LocomotionRequest wish(std::size_t character, int frame) {
+    const float t = 0.01f * static_cast<float>(frame) + 0.13f * static_cast<float>(character % 97);
+    const float saw = t - std::floor(t), slow_saw = 0.3f * t - std::floor(0.3f * t);
+    return {1.2f + 1.5f * saw, 70.0f * (0.5f - slow_saw), 0};
+}
+
+void update_only(benchmark::State& state) {
+    LocomotionState character;
+    std::vector<LocomotionRequest> wishes;
+    for (int f = 0; f < 1024; ++f) wishes.push_back(wish(1, f));
+    std::size_t at = 0;
+    for (auto _ : state) {
+        LocomotionFrame frame = update(graph(), character, wishes[at], 1.0f / 60);
+        at = (at + 1) % wishes.size();
+        benchmark::DoNotOptimize(frame);
+    }
+    per_character(state);
+}
+BENCHMARK(update_only);
+
+/// Update, three-clip pose and 3x4 matrices of a whole crowd, written out; no foot placement.
+void crowd_frame(benchmark::State& state) {
+    const auto count = static_cast<std::size_t>(state.range(0));
+    std::vector<LocomotionState> characters(count);
+    for (std::size_t c = 0; c < count; ++c) characters[c].phase = 0.01f * static_cast<float>(c % 97);
+    std::vector<RootFrame> roots(count);
+    std::vector<Matrix34> matrices(count * k_joints), unused(k_joints);
+    std::vector<Transform> locals(k_lanes * k_joints);
+    std::vector<float> scratch(model_scratch_floats(k_joints));
+    int frame_number = 0;
+    for (auto _ : state) {
+        ++frame_number;
+        for (std::size_t first = 0; first < count; first += k_lanes) {
+            const Transform* in[k_lanes];
+            Matrix34* out[k_lanes];
+            for (std::size_t lane = 0; lane < k_lanes; ++lane) {
+                const std::size_t c = first + lane;
+                const bool idle = c >= count;
+                in[lane] = locals.data() + (idle ? 0 : lane) * k_joints;
+                out[lane] = idle ? unused.data() : matrices.data() + c * k_joints;
+                if (idle) continue;
+                const LocomotionFrame frame = update(graph(), characters[c], wish(c, frame_number), 1.0f / 60);
+                roots[c] = frame.root_delta;
+                pose(graph(), frame, {locals.data() + lane * k_joints, k_joints});
+            }
+            local_to_model_8(*graph().skeleton, in, out, scratch.data());
+        }
+        benchmark::ClobberMemory();
+    }
+    per_character(state, static_cast<double>(count));
+    state.counters["state_bytes"] = sizeof(LocomotionState);
+}
+BENCHMARK(crowd_frame)->ArgName("characters")->Arg(1)->Arg(8)->Arg(100)->Arg(1000)->Arg(10000);
+
+/// Multiply-adds in registers: what this machine does today, whatever it is.
+void calibrate(benchmark::State& state) {
+    float a[16];
+    const float b = 1.0000001f;
+    for (int i = 0; i < 16; ++i) a[i] = static_cast<float>(i);
+    for (auto _ : state) {
+        for (int k = 0; k < 1000; ++k)
+            for (float& x : a) x = x * b + 1e-7f;
+        benchmark::DoNotOptimize(a);
+    }
+}
+BENCHMARK(calibrate);
+/// Streaming writes of 32 MB, what 10,000 characters' matrices take.
+void calibrate_writes(benchmark::State& state) {
+    std::vector<Matrix34> out(670000);
+    for (auto _ : state) {
+        for (Matrix34& m : out)
+            for (float& x : m.m) x = 1;
+        benchmark::ClobberMemory();
+    }
+    state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(out.size() * sizeof(Matrix34)));
+}
+BENCHMARK(calibrate_writes);
+
+}  // namespace
+}  // namespace surefoot::bench
+
+int main(int argc, char** argv) {
+    benchmark::AddCustomContext("kernels", surefoot::clip_kernels().name);
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}
