@@ -29,6 +29,10 @@ struct ClipKernels {
 extern const ClipKernels k_scalar_kernels;
 extern const ClipKernels k_baseline_kernels;  ///< what every machine of the build's target runs
 
+#if defined(SUREFOOT_HAS_KERNELS_V3)
+extern const ClipKernels k_v3_kernels;  ///< x86-64 with AVX2
+#endif
+
 /// The fastest this machine runs; chosen once.
 const ClipKernels& clip_kernels() noexcept;
 

@@ -82,8 +82,6 @@ RootFrame repeated(RootFrame a, int n) noexcept {
 
 }  // namespace
 
-const ClipKernels& clip_kernels() noexcept { return k_baseline_kernels; }
-
 void sample_pose(const Skeleton& skeleton, std::span<const PackedClip> clips, std::span<const Leaf> leaves,
                  std::span<Transform> locals) noexcept {
     sample_with(clip_kernels(), skeleton, clips, leaves, locals);
