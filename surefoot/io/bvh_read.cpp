@@ -2,6 +2,7 @@
 #include <surefoot/io/bvh.h>
 #include <surefoot/io/clip_name.h>
 #include <surefoot/io/joint_names.h>
+#include <surefoot/io/node_scene.h>
 #include <surefoot/io/unit_scale.h>
 
 #include <fast_float/fast_float.h>
@@ -94,7 +95,8 @@ class Reader {
     void read_channels(int joint);
     Vec3 read_vector(const char* meaning);
     void read_motion();
-    void read_frame(int frame, std::span<float> numbers);
+    void read_frame(std::size_t frame, std::span<float> numbers);
+    [[noreturn]] void fail_short(std::size_t frames) const;
     void pose_joint(const JointChannels& joint, std::span<const float> numbers, Transform& local) const;
 
     const char* begin_;
@@ -104,6 +106,7 @@ class Reader {
     Skeleton skeleton_;
     std::vector<JointChannels> channels_;
     std::size_t channel_count_ = 0;
+    std::string_view frames_text_;  // how many frames the header promises
     LoadedClip clip_;
 };
 
@@ -259,38 +262,41 @@ void Reader::read_motion() {
     if (channel_count_ == 0) fail("no joint has CHANNELS: there is no motion in this file");
 
     // A number takes at least a digit and a blank: what the header promises is believed only as far as the text can go.
-    const double room = static_cast<double>(end_ - at_ + 1) / static_cast<double>(2 * channel_count_);
-    if (promised > room)
-        fail("the header promises " + std::string(promised_text) + " frames, but what follows has room for at most " +
-                 std::to_string(static_cast<long>(room)),
-             "export the clip again, or mend the 'Frames:' line");
-    const int frames = static_cast<int>(promised);
+    const double room = std::floor(static_cast<double>(end_ - at_ + 1) / static_cast<double>(2 * channel_count_));
+    const double joints = static_cast<double>(skeleton_.joint_count());
+    if (std::fmin(promised, room) * joints > static_cast<double>(k_max_transforms_per_file))
+        fail(std::string(promised_text) + " frames of " + counted(skeleton_.rest.size(), "joint") + " are more than " +
+                 std::to_string(k_max_transforms_per_file) + " joint transforms",
+             "cut the clip into several files");
+    const auto frames = static_cast<std::size_t>(std::fmin(promised, room));
     clip_.motion.fps = static_cast<float>(frame_rate(frame_time, time_text));
-    clip_.motion.root.resize(static_cast<std::size_t>(frames));
-    clip_.motion.locals.resize(static_cast<std::size_t>(frames) * skeleton_.rest.size());
+    clip_.motion.root.resize(frames);
+    clip_.motion.locals.resize(frames * skeleton_.rest.size());
+    frames_text_ = promised_text;
     std::vector<float> numbers(channel_count_);
-    for (int f = 0; f < frames; ++f) {
+    for (std::size_t f = 0; f < frames; ++f) {
         read_frame(f, numbers);
-        Transform* pose = clip_.motion.locals.data() + static_cast<std::size_t>(f) * skeleton_.rest.size();
+        Transform* pose = clip_.motion.locals.data() + f * skeleton_.rest.size();
         for (std::size_t j = 0; j < skeleton_.rest.size(); ++j) {
             pose[j] = skeleton_.rest[j];
             if (channels_[j].count > 0) pose_joint(channels_[j], numbers, pose[j]);
         }
     }
-    if (skip_space(); at_ != end_)
-        clip_.warnings.push_back("numbers follow the last of " + counted(static_cast<std::size_t>(frames), "frame") +
-                                 ": left out");
+    skip_space();
+    if (promised > static_cast<double>(frames)) fail_short(frames);
+    if (at_ != end_) clip_.warnings.push_back("numbers follow the last of " + counted(frames, "frame") + ": left out");
     if (frames == 1) clip_.warnings.push_back("only one frame: a pose, not a motion");
 }
 
-void Reader::read_frame(int frame, std::span<float> numbers) {
+void Reader::fail_short(std::size_t frames) const {
+    fail("the motion block ends after " + std::to_string(frames) + " of " + std::string(frames_text_) + " frames",
+         "export the clip again, or mend its 'Frames:' line");
+}
+
+void Reader::read_frame(std::size_t frame, std::span<float> numbers) {
     skip_space();
-    const auto in_frame = [&] {
-        return "frame " + std::to_string(frame) + " of " + std::to_string(clip_.motion.root.size());
-    };
-    if (at_ == end_)
-        fail("the motion block ends after " + std::to_string(frame) + " of " +
-             counted(clip_.motion.root.size(), "frame"));
+    const auto in_frame = [&] { return "frame " + std::to_string(frame) + " of " + std::string(frames_text_); };
+    if (at_ == end_) fail_short(frame);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         skip_blanks();
         if (at_ == end_ || is_line_end(*at_))
