@@ -1,9 +1,7 @@
 #include <surefoot/analysis/analyze.h>
-#include <surefoot/bake/character.h>
+#include <surefoot/bake/baking.h>
 #include <surefoot/base/error.h>
-#include <surefoot/host/files.h>
 #include <surefoot/host/parallel.h>
-#include <surefoot/io/load.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,45 +10,8 @@ namespace surefoot {
 
 namespace {
 
-/// A clip on its way into a character.
-struct Source {
-    const Motion* motion;
-    const ClipFacts* facts;
-    bool along_travel = false;
-};
-
-/// Clips that the spaces use, in the order of their first use by index.
-std::vector<std::int32_t> used_clips(std::span<const ProjectSpace> spaces, std::size_t available) {
-    std::vector<std::int32_t> used;
-    for (const ProjectSpace& space : spaces)
-        for (const int clip : space.clips) {
-            if (clip < 0 || static_cast<std::size_t>(clip) >= available)
-                throw Error("a sample names a clip that is not there", "space '" + space.name + "'",
-                            "run 'surefoot author' again");
-            used.push_back(clip);
-        }
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    if (used.empty())
-        throw Error("no blend space has any clip", "the project", "run 'surefoot author' on clips that walk or run");
-    return used;
-}
-
 bool has_axis(const ProjectSpace& space, std::string_view name) {
     return std::any_of(space.space.axes.begin(), space.space.axes.end(), [&](const Axis& a) { return a.name == name; });
-}
-
-/// Clips of a space that only knows speed move straight along the facing (PackOptions::along_travel), unless a space
-/// with a sideways axis needs them as they are.
-bool moves_along_facing(std::span<const ProjectSpace> spaces, std::int32_t clip, const ClipFacts& facts) {
-    bool along = false;
-    for (const ProjectSpace& space : spaces) {
-        if (std::find(space.clips.begin(), space.clips.end(), clip) == space.clips.end()) continue;
-        if (!has_axis(space, "speed")) return false;
-        along = true;
-    }
-    const float off = std::fabs(facts.travel);
-    return along && (off < 45.0f || off > 135.0f);
 }
 
 SpaceDefinition definition_of(std::span<const ProjectSpace> spaces, std::string_view name,
@@ -74,6 +35,35 @@ Motion on_skeleton(const Motion& motion, const std::shared_ptr<const Skeleton>& 
     Motion same = motion;
     same.skeleton = skeleton;
     return same;
+}
+
+}  // namespace
+
+std::vector<std::int32_t> used_clips(std::span<const ProjectSpace> spaces, std::size_t available) {
+    std::vector<std::int32_t> used;
+    for (const ProjectSpace& space : spaces)
+        for (const int clip : space.clips) {
+            if (clip < 0 || static_cast<std::size_t>(clip) >= available)
+                throw Error("a sample names a clip that is not there", "space '" + space.name + "'",
+                            "run 'surefoot author' again");
+            used.push_back(clip);
+        }
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    if (used.empty())
+        throw Error("no blend space has any clip", "the project", "run 'surefoot author' on clips that walk or run");
+    return used;
+}
+
+bool moves_along_facing(std::span<const ProjectSpace> spaces, std::int32_t clip, const ClipFacts& facts) {
+    bool along = false;
+    for (const ProjectSpace& space : spaces) {
+        if (std::find(space.clips.begin(), space.clips.end(), clip) == space.clips.end()) continue;
+        if (!has_axis(space, "speed")) return false;
+        along = true;
+    }
+    const float off = std::fabs(facts.travel);
+    return along && (off < 45.0f || off > 135.0f);
 }
 
 Character bake(const std::string& name, std::span<const Source> sources, std::span<const ProjectSpace> spaces,
@@ -104,7 +94,6 @@ Character bake(const std::string& name, std::span<const Source> sources, std::sp
     return character;
 }
 
-/// The clip that stands most nearly still: soles and standing height are read off it.
 std::size_t calmest(std::span<const Source> sources) {
     std::size_t best = 0;
     const auto hurry = [&](std::size_t i) {
@@ -125,28 +114,6 @@ void take_body(Character& character, const AnalyzedClip& from) {
     local_to_model(*character.skeleton, from.motion.frame(0), character.standing);
 }
 
-/// A clip of the project with root motion. Files made by `author` have it; one that was exchanged by hand may not, and
-/// is then measured again.
-Motion load_project_clip(const ProjectClip& clip, const std::filesystem::path& folder, const RoleOverrides& roles,
-                         std::string& warning) {
-    const std::filesystem::path path = folder / clip.file;
-    std::vector<LoadedClip> loaded = read_clips(read_file(path), path.string());
-    if (loaded.empty())
-        throw Error("the file holds no clip", path.string(),
-                    "run 'surefoot author' again to write the project's clips");
-    Motion motion = std::move(loaded.front().motion);
-    const RootFrame travel = between(motion.root.front(), motion.root.back());
-    constexpr float k_moves = 0.1f;  // [m/s]
-    const bool stands = planar_length(travel.position) + std::fabs(travel.yaw) < 1e-6f;
-    if (stands && std::fabs(clip.facts.speed) > k_moves) {
-        warning = "clip '" + clip.name + "' came without root motion; it was measured again";
-        motion = analyze_clip(std::move(motion), clip.file, 1, roles).motion;
-    }
-    return motion;
-}
-
-}  // namespace
-
 Character bake_character(std::span<const AnalyzedClip> clips, std::span<const ProjectSpace> spaces,
                          const std::string& name) {
     const std::vector<std::int32_t> used = used_clips(spaces, clips.size());
@@ -157,28 +124,6 @@ Character bake_character(std::span<const AnalyzedClip> clips, std::span<const Pr
     }
     Character character = bake(name, sources, spaces, used);
     take_body(character, clips[static_cast<std::size_t>(used[calmest(sources)])]);
-    return character;
-}
-
-Character bake_character(const Project& project, const std::filesystem::path& folder) {
-    const std::vector<std::int32_t> used = used_clips(project.spaces, project.clips.size());
-    std::vector<Motion> motions(used.size());
-    std::vector<std::string> warnings(used.size());
-    const auto clip_at = [&](std::size_t i) -> const ProjectClip& {
-        return project.clips[static_cast<std::size_t>(used[i])];
-    };
-    parallel_for(used.size(), [&](std::size_t i) {
-        motions[i] = load_project_clip(clip_at(i), folder, project.roles, warnings[i]);
-    });
-    std::vector<Source> sources;
-    for (std::size_t i = 0; i < used.size(); ++i)
-        sources.push_back(
-            {&motions[i], &clip_at(i).facts, moves_along_facing(project.spaces, used[i], clip_at(i).facts)});
-    Character character = bake(project.name, sources, project.spaces, used);
-    for (std::string& warning : warnings)
-        if (!warning.empty()) character.warnings.push_back(std::move(warning));
-    const std::size_t calm = calmest(sources);
-    take_body(character, analyze_clip(motions[calm], clip_at(calm).file, 1, project.roles));
     return character;
 }
 

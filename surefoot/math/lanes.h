@@ -131,7 +131,7 @@ struct Float8 {
     friend SUREFOOT_INLINE Mask8<T> operator>=(Float8 a, Float8 b) noexcept { return b <= a; }
 };
 
-/// Eight 32-bit integers; arithmetic wraps.
+/// Eight 32-bit integers. [Limit: no overflow]
 template <class T>
 struct Int8 {
     typename T::I part[T::parts];

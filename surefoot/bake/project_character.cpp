@@ -1,0 +1,57 @@
+#include <surefoot/bake/baking.h>
+#include <surefoot/base/error.h>
+#include <surefoot/host/files.h>
+#include <surefoot/host/parallel.h>
+#include <surefoot/io/load.h>
+
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+/// A clip of the project with root motion. Files made by `author` have it; one that was exchanged by hand may not, and
+/// is then measured again.
+Motion load_project_clip(const ProjectClip& clip, const std::filesystem::path& folder, const RoleOverrides& roles,
+                         std::string& warning) {
+    const std::filesystem::path path = folder / clip.file;
+    std::vector<LoadedClip> loaded = read_clips(read_file(path), path.string());
+    if (loaded.empty())
+        throw Error("the file holds no clip", path.string(),
+                    "run 'surefoot author' again to write the project's clips");
+    Motion motion = std::move(loaded.front().motion);
+    const RootFrame travel = between(motion.root.front(), motion.root.back());
+    constexpr float k_moves = 0.1f;  // [m/s]
+    const bool stands = planar_length(travel.position) + std::fabs(travel.yaw) < 1e-6f;
+    if (stands && std::fabs(clip.facts.speed) > k_moves) {
+        warning = "clip '" + clip.name + "' came without root motion; it was measured again";
+        motion = analyze_clip(std::move(motion), clip.file, 1, roles).motion;
+    }
+    return motion;
+}
+
+}  // namespace
+
+Character bake_character(const Project& project, const std::filesystem::path& folder) {
+    const std::vector<std::int32_t> used = used_clips(project.spaces, project.clips.size());
+    std::vector<Motion> motions(used.size());
+    std::vector<std::string> warnings(used.size());
+    const auto clip_at = [&](std::size_t i) -> const ProjectClip& {
+        return project.clips[static_cast<std::size_t>(used[i])];
+    };
+    parallel_for(used.size(), [&](std::size_t i) {
+        motions[i] = load_project_clip(clip_at(i), folder, project.roles, warnings[i]);
+    });
+    std::vector<Source> sources;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        sources.push_back(
+            {&motions[i], &clip_at(i).facts, moves_along_facing(project.spaces, used[i], clip_at(i).facts)});
+    Character character = bake(project.name, sources, project.spaces, used);
+    for (std::string& warning : warnings)
+        if (!warning.empty()) character.warnings.push_back(std::move(warning));
+    const std::size_t calm = calmest(sources);
+    take_body(character, analyze_clip(motions[calm], clip_at(calm).file, 1, project.roles));
+    return character;
+}
+
+}  // namespace surefoot
