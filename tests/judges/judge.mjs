@@ -1,0 +1,105 @@
+// Asks Khronos' validator and three.js about .glb files.
+//
+//   node judge.mjs valid  FILE.glb|FOLDER...      no errors by the Khronos glTF validator
+//   node judge.mjs places FILE.json|FOLDER...     three.js puts every joint of every frame where the JSON says
+//
+// NAME.INDEX.json belongs to animation INDEX of NAME.glb beside it, in metres, in the world:
+//   { "animation": 0, "fps": 60, "joints": ["hips", …], "frames": [[x, y, z, x, y, z, …], …] }
+//
+// Exit codes: 0 fine, 1 something is wrong, 2 usage, 77 the npm packages are not installed (skip).
+import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+
+const k_tolerance = 1e-4; // [m] a tenth of a millimetre
+
+const require = createRequire(import.meta.url);
+const [command, ...paths] = process.argv.slice(2);
+const judges = { valid, places };
+if (!judges[command] || paths.length === 0) {
+  console.error('usage: judge.mjs valid|places FILE|FOLDER...');
+  process.exit(2);
+}
+if (!existsSync(new URL('node_modules/three', import.meta.url))) {
+  console.log('the judges are not installed: scripts/setup.sh test does that');
+  process.exit(process.env.SUREFOOT_NEED_JUDGES ? 1 : 77);
+}
+
+const ending = command === 'valid' ? '.glb' : '.json';
+const files = paths.flatMap((path) =>
+  statSync(path).isDirectory()
+    ? readdirSync(path, { recursive: true })
+        .filter((name) => name.endsWith(ending))
+        .sort()
+        .map((name) => join(path, name))
+    : [path],
+);
+if (files.length === 0) throw new Error(`no ${ending} in ${paths.join(', ')}`);
+
+let failures = 0;
+for (const file of files) {
+  try {
+    console.log(`ok      ${file}: ${await judges[command](file)}`);
+  } catch (error) {
+    console.log(`FAILED  ${file}: ${error?.message ?? error}`);
+    ++failures;
+  }
+}
+process.exit(failures ? 1 : 0);
+
+async function valid(file) {
+  const validator = require('gltf-validator');
+  const report = await validator.validateBytes(new Uint8Array(readFileSync(file)), { maxIssues: 1000 });
+  const { numErrors, numWarnings, messages } = report.issues;
+  if (numErrors > 0) {
+    const first = messages.filter((m) => m.severity === 0).slice(0, 5);
+    throw new Error(`${numErrors} errors: ` + first.map((m) => `${m.code} at ${m.pointer}: ${m.message}`).join('; '));
+  }
+  const warned = [...new Set(messages.filter((m) => m.severity === 1).map((m) => m.code))];
+  return `valid, ${numWarnings} warnings ${warned.join(' ')}`.trim();
+}
+
+async function places(wantedFile) {
+  const wanted = JSON.parse(readFileSync(wantedFile, 'utf8'));
+  const file = wantedFile.replace(/\.\d+\.json$/, '.glb');
+  globalThis.self = globalThis; // what three.js' loader takes for granted
+  const three = await import('three');
+  const { GLTFLoader } = await import('three/examples/jsm/loaders/GLTFLoader.js');
+  const bytes = readFileSync(file);
+  const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
+  const gltf = await new GLTFLoader().parseAsync(buffer, '');
+
+  // Joints by the names in the file (three.js changes names to suit its own paths).
+  const nodes = gltf.parser.json.nodes;
+  const joints = await Promise.all(
+    wanted.joints.map((name) => {
+      const index = nodes.findIndex((node) => node.name === name);
+      if (index < 0) throw new Error(`no node '${name}'`);
+      return gltf.parser.getDependency('node', index);
+    }),
+  );
+
+  const mixer = new three.AnimationMixer(gltf.scene);
+  const animation = gltf.animations[wanted.animation];
+  if (!animation) throw new Error(`no animation ${wanted.animation}`);
+  const action = mixer.clipAction(animation);
+  action.setLoop(three.LoopOnce);
+  action.clampWhenFinished = true;
+  action.play();
+
+  const place = new three.Vector3();
+  let worst = 0;
+  let where = '';
+  wanted.frames.forEach((frame, f) => {
+    mixer.setTime(f / wanted.fps);
+    gltf.scene.updateMatrixWorld(true);
+    joints.forEach((joint, j) => {
+      place.setFromMatrixPosition(joint.matrixWorld);
+      const off = Math.hypot(place.x - frame[3 * j], place.y - frame[3 * j + 1], place.z - frame[3 * j + 2]);
+      if (!(off <= worst)) [worst, where] = [off, `'${wanted.joints[j]}' in frame ${f}`];
+    });
+  });
+  if (wanted.frames.length < 2 || joints.length < 2) throw new Error('nothing to compare');
+  if (!(worst < k_tolerance)) throw new Error(`${where} is ${(worst * 1000).toFixed(3)} mm away`);
+  return `${joints.length} joints, ${wanted.frames.length} frames, at most ${(worst * 1000).toFixed(5)} mm apart`;
+}
