@@ -1,6 +1,10 @@
 # Third-party libraries of the authoring side, all Debian 12 packages (scripts/setup.sh installs them).
-find_package(fmt REQUIRED)
-find_package(nlohmann_json REQUIRED)
+if(EMSCRIPTEN)
+  include(SurefootWasmHeaders)
+else()
+  find_package(fmt REQUIRED)
+  find_package(nlohmann_json REQUIRED)
+endif()
 
 add_library(surefoot_json INTERFACE)
 target_link_libraries(surefoot_json INTERFACE nlohmann_json::nlohmann_json)

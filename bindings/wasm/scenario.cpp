@@ -1,0 +1,112 @@
+#include "scenario.h"
+
+#include <surefoot/base/error.h>
+#include <surefoot/base/hash.h>
+#include <surefoot/base/random.h>
+#include <surefoot/io/bvh.h>
+#include <surefoot/math/trig.h>
+#include <surefoot/motion/edit.h>
+#include <surefoot/motion/root_motion.h>
+#include <surefoot/preset/default_set.h>
+#include <surefoot/space/triangulate.h>
+
+#include <cstdio>
+#include <vector>
+
+namespace surefoot::wasm {
+
+namespace {
+
+std::string hex(std::uint64_t value) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%08x%08x", static_cast<unsigned>(value >> 32u), static_cast<unsigned>(value));
+    return text;
+}
+
+std::uint64_t hash_worlds(const Motion& motion) {
+    std::vector<Transform> world(static_cast<std::size_t>(motion.joint_count()));
+    std::uint64_t hash = hash_bytes({});
+    for (int f = 0; f < motion.frame_count(); ++f) {
+        world_pose(motion, f, world);
+        hash = hash_span<Transform>(world, hash);
+    }
+    return hash;
+}
+
+const Motion& clip_named(const DefaultSet& set, const std::string& name) {
+    for (const Motion& clip : set.clips)
+        if (clip.name == name) return clip;
+    throw Error("the default set has no clip of that name", name, "");
+}
+
+/// A biped that travels in a curve and swings every joint: not a gait, but every bit of it counts.
+Motion swinging_biped(const DefaultSet& set) {
+    Motion motion = make_motion(set.skeleton, "swinging", 180, 60);
+    for (int f = 0; f < motion.frame_count(); ++f) {
+        const double t = static_cast<double>(f) / 60;
+        const auto frame = motion.frame(f);
+        for (std::size_t j = 0; j < frame.size(); ++j) {
+            const double angle = 0.5 * sin(2 * k_pi * t + 0.7 * static_cast<double>(j));
+            const Vec3 axis = j % 2 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
+            frame[j].rotation = frame[j].rotation * from_rotation_vector(axis * static_cast<float>(angle));
+        }
+        const auto heading = static_cast<float>(0.4 * t);
+        frame[0].translation = frame[0].translation + Vec3{sin(heading), 0, 1.4f * static_cast<float>(t)};
+        frame[0].rotation = from_rotation_vector({0, heading, 0}) * frame[0].rotation;
+    }
+    return motion;
+}
+
+/// The generated clips, every joint of every frame.
+std::uint64_t generated_scenario() {
+    std::uint64_t hash = hash_bytes({});
+    for (const Motion& clip : make_default_set().clips) hash = hash * 31 + hash_worlds(clip);
+    return hash;
+}
+
+/// Clip through BVH text and back, its root motion extracted and mirrored.
+std::uint64_t motion_scenario() {
+    const DefaultSet set = make_default_set();
+    const std::string text = write_bvh(swinging_biped(set));
+    Motion motion = read_bvh(text, "swinging.bvh").motion;
+    extract_root_motion(motion, set.roles);
+    return hash_worlds(mirror(motion, set.roles)) ^ hash_bytes(text);
+}
+
+/// Random spaces of one to four dimensions, triangulated, and weights all over them.
+std::uint64_t space_scenario() {
+    std::uint64_t hash = hash_bytes({});
+    Random random(7);
+    for (int dimensions = 1; dimensions <= k_max_dimensions; ++dimensions) {
+        BlendSpace space;
+        const auto anywhere = [&] {
+            SpacePoint point{};
+            for (int d = 0; d < dimensions; ++d) point[static_cast<std::size_t>(d)] = random.between(-2, 5);
+            return point;
+        };
+        for (int d = 0; d < dimensions; ++d) space.axes.push_back({"axis", "m/s", -2, 5, false});
+        for (int s = 0; s < 24; ++s) space.samples.push_back(anywhere());
+        triangulate(space);
+        hash = hash_span<Simplex>(space.simplices, hash);
+        for (int q = 0; q < 500; ++q) {
+            const BlendWeights weights = blend_weights(space, anywhere());
+            hash = hash_span<float>(weights.weights, hash);
+            hash = hash_span<std::int32_t>(weights.samples, hash);
+        }
+    }
+    return hash;
+}
+
+}  // namespace
+
+std::string run_scenarios() {
+    std::string text;
+    text += "generated " + hex(generated_scenario()) + "\n";
+    text += "motion " + hex(motion_scenario()) + "\n";
+    text += "space " + hex(space_scenario()) + "\n";
+    return text;
+}
+
+std::string example_bvh() { return write_bvh(clip_named(make_default_set(), "walk")); }
+
+}  // namespace surefoot::wasm

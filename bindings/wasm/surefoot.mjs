@@ -1,0 +1,125 @@
+// Loads surefoot.wasm, in a browser or in Node, and gives its C functions a JavaScript face. Written by hand: the module
+// is stand-alone, so there is no generated code to carry along.
+//
+//   const surefoot = await load(bytes);            // an ArrayBuffer or a typed array
+//   const facts = surefoot.analyzeBvh(text);       // throws Error with Surefoot's message
+//   const space = surefoot.space([[0, 0], [1.4, 0], [1.4, 45]], [0, -90], [5, 90]);
+//   space.weights([0.7, 10]);                      // [{ sample, weight }, …], adding up to 1
+
+const k_no_such_call = 52; // WASI's ENOSYS: the module has no files and no system to call
+
+/** What a stand-alone module imports: a few WASI calls, of which only clocks and output mean anything here. */
+function imports(module, memory) {
+  const print = { 1: '', 2: '' };
+  const known = {
+    proc_exit(code) {
+      throw new Error(`surefoot.wasm ended with code ${code}`);
+    },
+    fd_write(fd, vectors, count, written) {
+      const view = new DataView(memory().buffer);
+      let total = 0;
+      for (let i = 0; i < count; ++i) {
+        const at = view.getUint32(vectors + 8 * i, true);
+        const size = view.getUint32(vectors + 8 * i + 4, true);
+        print[fd] = (print[fd] ?? '') + new TextDecoder().decode(new Uint8Array(memory().buffer, at, size));
+        total += size;
+      }
+      for (let end; (end = print[fd].indexOf('\n')) >= 0; print[fd] = print[fd].slice(end + 1))
+        console.error(print[fd].slice(0, end));
+      view.setUint32(written, total, true);
+      return 0;
+    },
+    environ_sizes_get(count, size) {
+      const view = new DataView(memory().buffer);
+      view.setUint32(count, 0, true);
+      view.setUint32(size, 0, true);
+      return 0;
+    },
+    environ_get: () => 0,
+    clock_time_get(clock, precision, time) {
+      new DataView(memory().buffer).setBigUint64(time, BigInt(Math.round(performance.now() * 1e6)), true);
+      return 0;
+    },
+    emscripten_notify_memory_growth() {},
+  };
+  const wanted = {};
+  for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
+    wanted[from] ??= {};
+    if (kind === 'function') wanted[from][name] = known[name] ?? (() => k_no_such_call);
+  }
+  return wanted;
+}
+
+class Surefoot {
+  #c;
+
+  constructor(exports) {
+    this.#c = exports;
+  }
+
+  /** Hashes of fixed scenarios, as text; a native build gives the same. */
+  scenarios() {
+    return this.#text(this.#c.sf_scenarios());
+  }
+
+  /** What the clip in a BVH text does: one entry of `surefoot analyze --json`. */
+  analyzeBvh(text) {
+    const bytes = new TextEncoder().encode(text);
+    return this.#with([bytes], (at) => JSON.parse(this.#text(this.#c.sf_analyze_bvh(at, bytes.length))));
+  }
+
+  /** A blend space: samples and the axes' limits, each an array of as many numbers as there are axes. */
+  space(samples, low, high) {
+    const arrays = [samples.flat(), low, high].map((numbers) => new Float32Array(numbers));
+    this.#with(arrays, (values, lows, highs) =>
+      this.#text(this.#c.sf_space(low.length, values, samples.length, lows, highs)),
+    );
+    return { weights: (point) => this.#weights(point) };
+  }
+
+  #weights(point) {
+    const arrays = [new Float32Array(point), new Int32Array(5), new Float32Array(5)];
+    return this.#with(arrays, (at, samples, weights) => {
+      const count = this.#c.sf_weights(at, samples, weights);
+      const buffer = this.#c.memory.buffer;
+      const found = new Int32Array(buffer, samples, count);
+      const shares = new Float32Array(buffer, weights, count);
+      return Array.from(found, (sample, i) => ({ sample, weight: shares[i] }));
+    });
+  }
+
+  /** Copies arrays into the module's memory for the time of a call. */
+  #with(arrays, call) {
+    const places = arrays.map((array) => {
+      const at = this.#c.sf_allocate(Math.max(array.byteLength, 1));
+      if (at === 0) throw new Error('surefoot.wasm is out of memory');
+      new Uint8Array(this.#c.memory.buffer, at, array.byteLength).set(
+        new Uint8Array(array.buffer, array.byteOffset, array.byteLength),
+      );
+      return at;
+    });
+    try {
+      return call(...places);
+    } finally {
+      places.forEach((at) => this.#c.sf_free(at));
+    }
+  }
+
+  #text(status) {
+    const bytes = new Uint8Array(this.#c.memory.buffer, this.#c.sf_text(), this.#c.sf_text_size());
+    const text = new TextDecoder().decode(bytes);
+    if (status !== 0) throw new Error(text);
+    return text;
+  }
+}
+
+export async function load(bytes) {
+  const module = await WebAssembly.compile(bytes);
+  let instance;
+  instance = await WebAssembly.instantiate(
+    module,
+    imports(module, () => instance.exports.memory),
+  );
+  instance.exports._initialize?.();
+  return new Surefoot(instance.exports);
+}
