@@ -56,6 +56,28 @@ struct Mirror {
 
     Vec3 offset(int j) const { return skeleton.rest[at(j)].translation; }
 
+    // Whether the rest pose is its own mirror image (T-pose, A-pose), within 8 % of its size.
+    bool rest_is_symmetric(const std::vector<Transform>& models, Quat facing) const {
+        Vec3 low = models[0].translation, high = low, middle;
+        for (const Transform& model : models) {
+            const Vec3 p = model.translation;
+            low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y), std::fmin(low.z, p.z)};
+            high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y), std::fmax(high.z, p.z)};
+        }
+        const auto place = [&](std::size_t j) { return rotate(facing, models[j].translation); };
+        // The plane of symmetry runs through the middle of the pairs.
+        float count = 0;
+        for (std::size_t j = 0; j < models.size(); ++j)
+            if (pairs[j] != static_cast<int>(j)) middle += place(j), count += 1;
+        if (count > 0) middle = middle / count;
+        const float allowed = 0.08f * length(high - low);
+        for (std::size_t j = 0; j < models.size(); ++j) {
+            const Vec3 other = reflected(place(at(pairs[j])) - middle);
+            if (pairs[j] != static_cast<int>(j) && distance(place(j) - middle, other) > allowed) return false;
+        }
+        return true;
+    }
+
     // How far `c` fails to lay joint j's children over the reflected children of its partner: mean of 1 - cosine.
     float misfit(int j, Quat c) const {
         float sum = 0, weight = 1e-9f;
@@ -75,29 +97,32 @@ struct Mirror {
         local_to_model(skeleton, skeleton.rest, models);
         const Quat facing = from_yaw(-torso_yaw(roles, models));  // the plane of symmetry of the rest pose
         correction.assign(models.size(), Quat{});
+        const bool symmetric = rest_is_symmetric(models, facing);
         for (int j = 0; j < skeleton.joint_count(); ++j) {
             const int partner = pairs[at(j)];
             if (partner < j) continue;
             const Quat mine = normalized(facing * models[at(j)].rotation);
             const Quat other = normalized(facing * models[at(partner)].rotation);
-            const Quat best = choose(j, normalized(conjugate(reflected(other)) * mine));
+            const Quat from_rest = normalized(conjugate(reflected(other)) * mine);
+            const Quat best = symmetric ? from_rest : axis_convention(j, from_rest);
             correction[at(j)] = best;
             // Mirroring twice gives the pose back: the partner's correction is the reflected inverse.
             if (partner != j) correction[at(partner)] = reflected(conjugate(best));
         }
     }
 
-    // The rest pose's own correction, unless the bones contradict it (rest poses taken from the middle of a walk): then
-    // the axis convention that fits best: the same axes, or half a turn about one of them.
-    Quat choose(int j, Quat from_rest) const {
-        constexpr float k_contradiction = 0.06f;  // 20 degrees
-        Quat best = from_rest;
-        float least = misfit(j, from_rest);
-        if (least <= k_contradiction) return best;
+    // Where the rest pose is no help (a frame from the middle of a step): the convention of axes that lays the bones
+    // best, and of equals the one nearest to what the rest pose says. Blender's and Godot's tools give both sides the
+    // same axes reflected; Unreal's turn them by half a turn.
+    Quat axis_convention(int j, Quat from_rest) const {
+        constexpr float k_rest_weight = 0.05f;  // a radian against the rest pose weighs as 18 degrees of a bone
+        Quat best;
+        float least = 1e9f;
         for (const Quat c : {Quat{0, 0, 0, 1}, Quat{1, 0, 0, 0}, Quat{0, 1, 0, 0}, Quat{0, 0, 1, 0}}) {
             // Joints on the middle line may only turn within their plane, or mirroring twice would not be identity.
             if (pairs[at(j)] == j && c.x != 0) continue;
-            if (const float m = misfit(j, c); m < least - 1e-4f) least = m, best = c;
+            const float cost = misfit(j, c) + k_rest_weight * rotation_angle(conjugate(c) * from_rest);
+            if (cost < least) least = cost, best = c;
         }
         return best;
     }

@@ -1,5 +1,6 @@
 #include <surefoot/rig/leg.h>
 
+#include <algorithm>
 #include <cassert>
 
 namespace surefoot {
@@ -13,6 +14,8 @@ constexpr float k_heel_to_ankle = 0.25f;
 constexpr float k_heel_to_ball = 0.7f;
 // Toes are half as long as the foot from heel to ball, where nothing says how long they are.
 constexpr float k_toes_per_sole = 0.5f;
+// Toe tip ahead of the ankle, in ankle-to-ball distances (1.8 by the proportions above).
+constexpr float k_shortest_tip = 1.3f, k_longest_tip = 2.4f;
 // Foot length over leg length (hip to ankle), 0.152 / 0.491 of stature (Drillis and Contini 1966).
 constexpr float k_foot_per_leg = 0.31f;
 
@@ -60,8 +63,9 @@ Sole measure_sole(const Skeleton& skeleton, const RoleMap& roles, std::span<cons
         sole.ball = dot(to_ball, sole.forward);
         const float tip = dot(to_end, sole.forward);
         if (tip > sole.ball + 0.05f * usual) {
-            sole.tip = tip;
-            sole.heel = tip * k_heel_to_ankle / (1 - k_heel_to_ankle);
+            // Exporters give end joints and tips any length they like: hold them within what toes can be.
+            sole.tip = std::clamp(tip, k_shortest_tip * sole.ball, k_longest_tip * sole.ball);
+            sole.heel = sole.tip * k_heel_to_ankle / (1 - k_heel_to_ankle);
         } else {
             // Heel h behind, ball b ahead, toes (b + h) / 2: h is a quarter of the whole for h = 0.6 b.
             constexpr float k_quarter = k_heel_to_ankle * (1 + k_toes_per_sole);
@@ -75,6 +79,7 @@ Sole measure_sole(const Skeleton& skeleton, const RoleMap& roles, std::span<cons
         // One end point only: the toe tip, or the ball where it is nearer to where a ball would be.
         const float to_tip = (1 - k_heel_to_ankle), ball = (k_heel_to_ball - k_heel_to_ankle);
         whole = reach > 0.5f * (to_tip + ball) * usual ? reach / to_tip : reach / ball;
+        whole = std::clamp(whole, 0.75f * usual, 1.5f * usual);  // cartoon feet are long, none is a point
     }
     sole.heel = k_heel_to_ankle * whole;
     sole.ball = (k_heel_to_ball - k_heel_to_ankle) * whole;

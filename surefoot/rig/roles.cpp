@@ -55,12 +55,16 @@ void describe_missing(const RoleMap& roles, std::vector<std::string>& lines) {
     if (!optional.empty()) lines.push_back("missing, can be done without: " + optional);
 }
 
-// Left is on the left of where the toes point; names that say otherwise are worth a word.
+// Left is on the left of where the toes point; names that say otherwise are worth a word. Only an upright pose with
+// both feet down can tell.
 void check_sides(const RoleMap& roles, std::span<const Transform> models, std::vector<std::string>& lines) {
     if (!roles.has_legs() || !roles.has(Role::left_toes) || !roles.has(Role::right_toes) || !roles.has(Role::head))
         return;
     const auto at = [&](Role role) { return models[static_cast<std::size_t>(roles[role])].translation; };
+    const float left_drop = at(Role::hips).y - at(Role::left_foot).y;
+    const float right_drop = at(Role::hips).y - at(Role::right_foot).y;
     const Vec3 up = at(Role::head) - at(Role::hips);
+    if (std::fabs(left_drop - right_drop) > 0.05f * length(up) || left_drop < 0.8f * length(up)) return;
     const Vec3 forward = at(Role::left_toes) - at(Role::left_foot) + at(Role::right_toes) - at(Role::right_foot);
     const Vec3 left = at(Role::left_upper_leg) - at(Role::right_upper_leg);
     const Vec3 expected = cross(up, forward);
