@@ -11,7 +11,7 @@ constexpr float k_usual_leg = 0.85f;    // [m]
 constexpr float k_heel_height = 0.03f;  // [m]
 constexpr float k_ball_height = 0.035f;
 constexpr float k_tip_height = 0.02f;  // the toe tip is the last to leave
-constexpr float k_slow = 0.28f;        // [m/s]
+constexpr float k_slow = 0.35f;        // [m/s]
 constexpr float k_slow_share = 0.3f;   // of the root's speed
 constexpr float k_fast_root = 1.7f;    // [m/s] from here on the share counts
 constexpr int k_gap = 4;               // samples: shorter gaps in a stance are noise
@@ -69,9 +69,12 @@ WorldLeg world_leg(const Leg& leg, const LegPose& pose, const RootFrame& root) n
     out.upper = world.rotation * pose.upper.rotation;
     out.lower = world.rotation * pose.lower.rotation;
     out.foot = foot.rotation;
+    out.toe_joint = transform_point(world, pose.toes.translation);
+    out.toes = world.rotation * pose.toes.rotation;
     out.upper_parent = world.rotation * pose.upper_parent;
     out.lower_parent = world.rotation * pose.lower_parent;
     out.foot_parent = world.rotation * pose.foot_parent;
+    out.toes_parent = world.rotation * pose.toes_parent;
     return out;
 }
 

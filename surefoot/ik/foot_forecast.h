@@ -13,8 +13,9 @@ struct LegPoints {
 /// A leg with the world rotations that placing changes.
 struct WorldLeg {
     LegPoints points;
-    Quat upper, lower, foot;
-    Quat upper_parent, lower_parent, foot_parent;
+    Vec3 toe_joint;  ///< where there is one
+    Quat upper, lower, foot, toes;
+    Quat upper_parent, lower_parent, foot_parent, toes_parent;
 };
 WorldLeg world_leg(const Leg& leg, const LegPose& pose, const RootFrame& root) noexcept;
 
@@ -51,6 +52,7 @@ void look_ahead(const FootRig& rig, double clock, const LegPreview& preview, For
 struct PlacedFoot {
     Vec3 ankle;
     Quat tilt;
+    float uneven = 0;  ///< as Plant::uneven
 };
 PlacedFoot place_foot(const FootState& foot, double clock, const LegPoints& points, float leg_length) noexcept;
 

@@ -19,10 +19,11 @@ GroundProbe probe_for(const FootRig& rig, const FootInput& input, const Ground& 
 }
 
 /// New local rotations from world rotations to put before the animated ones.
-FootOutput::LegRotations to_locals(const WorldLeg& leg, Quat upper, Quat lower, Quat foot) noexcept {
+FootOutput::LegRotations to_locals(const WorldLeg& leg, Quat upper, Quat lower, Quat foot, Quat toes) noexcept {
     return {normalized(conjugate(leg.upper_parent) * upper * leg.upper),
             normalized(conjugate(upper * leg.lower_parent) * lower * leg.lower),
-            normalized(conjugate(lower * leg.foot_parent) * foot * leg.foot)};
+            normalized(conjugate(lower * leg.foot_parent) * foot * leg.foot),
+            normalized(conjugate(foot * leg.toes_parent) * toes * leg.toes)};
 }
 
 Vec3 world_knee_forward(const FootRig& rig, std::size_t side, const WorldLeg& leg) noexcept {
@@ -76,13 +77,30 @@ void place_colvin(const FootRig& rig, const FootInput& input, const GroundProbe&
         in.upper_forward = thigh_forward(rig, side, leg);
         const TwoBoneResult solved = solve_colvin(in);
         // The foot keeps its rotation relative to the calf: the paper turns thigh and calf only.
-        output.leg[side] = to_locals(leg, solved.upper, solved.lower, solved.lower);
+        output.leg[side] = to_locals(leg, solved.upper, solved.lower, solved.lower, solved.lower);
         output.pulled_in[side] = solved.pulled_in;
         output.planted[side] = false;
     }
 }
 
 // --- mode surefoot
+
+/// Rotation about the toe joint that lifts a toe tip out of the ground, on top of the foot's own. On level ground a tip
+/// may be as deep as the clip has it.
+Quat bend_toes(const WorldLeg& leg, const PlacedFoot& placed, Vec3 ankle, const GroundProbe& probe) noexcept {
+    constexpr float k_most = 60 * k_radians_per_degree;
+    const Vec3 joint = ankle + rotate(placed.tilt, leg.toe_joint - leg.points.ankle);
+    const Vec3 toe = rotate(placed.tilt, leg.points.toe_tip - leg.toe_joint), tip = joint + toe;
+    const float length_of_toe = length(toe);
+    if (length_of_toe < 1e-4f) return {};
+    const float own = std::min(0.0f, leg.points.toe_tip.y) * (1 - placed.uneven);
+    const float lacking = probe.height(tip.x, tip.z) + own - tip.y;
+    if (!(lacking > 0)) return {};
+    const float now = asin(std::clamp(toe.y / length_of_toe, -1.0f, 1.0f));
+    const float then = asin(std::clamp((toe.y + lacking) / length_of_toe, -1.0f, 1.0f));
+    const Vec3 axis = cross(toe, k_up);  // turns the toe upwards
+    return axis_angle(normalized(axis, {1, 0, 0}), std::min(then - now, k_most));
+}
 
 /// True where steering has moved a foothold that a foot is swinging to.
 bool foothold_moved(const FootRig& rig, const FootPlacementState& state, const LegPreview& preview) noexcept {
@@ -147,7 +165,8 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
         in.target = placed.ankle;
         in.knee_forward = world_knee_forward(rig, side, leg);
         const TwoBoneResult solved = solve_two_bone(in);
-        output.leg[side] = to_locals(leg, solved.upper, solved.lower, placed.tilt);
+        const Quat bend = rig.legs.side[side].toes == k_no_joint ? Quat{} : bend_toes(leg, placed, solved.ankle, probe);
+        output.leg[side] = to_locals(leg, solved.upper, solved.lower, placed.tilt, bend * placed.tilt);
         output.pulled_in[side] = solved.pulled_in;
         output.planted[side] = !foot.has_next || state.clock < foot.lift;
     }
@@ -181,6 +200,7 @@ FootRig make_foot_rig(const Skeleton& skeleton, const Legs& legs, std::span<cons
         rig.upper_parent[side] = parent(leg.upper);
         rig.lower_parent[side] = parent(leg.lower);
         rig.foot_parent[side] = parent(leg.foot);
+        rig.toes_parent[side] = leg.toes == k_no_joint ? rig.foot_parent[side] : parent(leg.toes);
         // Knees bend to where the toes point.
         const Transform& foot = standing[static_cast<std::size_t>(leg.foot)];
         const Transform& upper = standing[static_cast<std::size_t>(leg.upper)];
@@ -203,6 +223,7 @@ LegsPose read_legs(const FootRig& rig, std::span<const Transform> models) noexce
         out.upper_parent = rotation(rig.upper_parent[side]);
         out.lower_parent = rotation(rig.lower_parent[side]);
         out.foot_parent = rotation(rig.foot_parent[side]);
+        out.toes_parent = rotation(rig.toes_parent[side]);
     }
     return pose;
 }
@@ -232,6 +253,7 @@ void apply(const FootRig& rig, const FootOutput& output, std::span<const Transfo
         locals[static_cast<std::size_t>(leg.upper)].rotation = output.leg[side].upper;
         locals[static_cast<std::size_t>(leg.lower)].rotation = output.leg[side].lower;
         locals[static_cast<std::size_t>(leg.foot)].rotation = output.leg[side].foot;
+        if (leg.toes != k_no_joint) locals[static_cast<std::size_t>(leg.toes)].rotation = output.leg[side].toes;
     }
 }
 

@@ -49,7 +49,7 @@ struct FootSettings {
 /// Model-space joints of one leg, and the world rotations its local rotations are relative to.
 struct LegPose {
     Transform upper, lower, foot, toes;  ///< [m] relative to the root; toes = foot where there is no toe joint
-    Quat upper_parent, lower_parent, foot_parent;
+    Quat upper_parent, lower_parent, foot_parent, toes_parent;
 };
 
 struct LegsPose {
@@ -71,7 +71,7 @@ struct FootRig {
     FootSettings settings;
     std::array<Vec3, 2> knee_forward;            ///< in the thigh's frame: where a straight knee would bend to
     std::array<std::int16_t, 2> upper_parent{};  ///< joints, or k_no_joint
-    std::array<std::int16_t, 2> lower_parent{}, foot_parent{};
+    std::array<std::int16_t, 2> lower_parent{}, foot_parent{}, toes_parent{};
     int hips = k_no_joint, hips_parent = k_no_joint;
     std::shared_ptr<const SwingSolver> solver;  ///< the swing programme's constant matrices
 };
@@ -122,7 +122,7 @@ struct FootInput {
 struct FootOutput {
     float hips_offset = 0;  ///< [m] to add to the hips' model-space height (root.position.y stays as passed in)
     struct LegRotations {
-        Quat upper, lower, foot;  ///< new local rotations
+        Quat upper, lower, foot, toes;  ///< new local rotations; toes only where there is a toe joint
     };
     std::array<LegRotations, 2> leg;
     bool moves_legs = false;          ///< false: the legs stay as they were, `leg` is not set

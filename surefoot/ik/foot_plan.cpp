@@ -17,19 +17,39 @@ constexpr float k_path_margin = 0.02f;      // [m] ground this far ahead of and 
 constexpr float k_toe_bend = 0.01f;         // [m] toes that are down bend out of the way by this much
 constexpr float k_toe_down = 0.005f;        // [m]
 constexpr int k_ramp = 3;                   // samples over which the path margin comes in after lift and before strike
-constexpr float k_least_leg = 0.5f;    // share of its length to which the hips will fold a leg to reach, no further
+constexpr float k_least_leg = 0.5f;      // share of its length to which the hips will fold a leg to reach, no further
+constexpr float k_uneven_rise = 0.02f;   // [m] from one foothold to the next, from which ground counts as uneven
+constexpr float k_uneven_tilt = 0.013f;  // sine of half the tilt: 1.5 degrees
+// Where a clip sinks its feet, either the feet are too low or the outline of the soles is: half of it is believed.
+constexpr float k_unsink = 0.5f;
 constexpr double k_moment = 1.0 / 60;  // [s] for velocities by difference
 
 float smootherstep(float x) noexcept { return x * x * x * (10 + x * (-15 + 6 * x)); }
 
+/// How deep the clip itself sinks heel or ball into its own ground; smooth.
+float own_depth(const LegPoints& points) noexcept {
+    constexpr float k_soft = 0.002f;  // [m]
+    const float depth = -std::min(points.heel.y, points.ball.y);
+    return 0.5f * (depth + std::sqrt(depth * depth + k_soft * k_soft));
+}
+
+Vec3 plant_ankle(const Plant& plant, const LegPoints& points, float leg_length) noexcept {
+    const Vec3 ankle = planted(plant, points.ankle, leg_length);
+    return plant.uneven > 0 ? ankle + k_up * (plant.uneven * own_depth(points)) : ankle;
+}
+
 /// The blend of the two plants, without hump and fade.
-PlacedFoot blend_plants(const FootState& foot, double clock, Vec3 ankle, float leg_length) noexcept {
-    if (!foot.has_next || clock <= foot.lift) return {planted(foot.plant, ankle, leg_length), foot.plant.tilt};
-    if (clock >= foot.strike) return {planted(foot.next, ankle, leg_length), foot.next.tilt};
+PlacedFoot blend_plants(const FootState& foot, double clock, const LegPoints& points, float leg_length) noexcept {
+    const auto stand = [&](const Plant& plant) {
+        return PlacedFoot{plant_ankle(plant, points, leg_length), plant.tilt, plant.uneven};
+    };
+    if (!foot.has_next || clock <= foot.lift) return stand(foot.plant);
+    if (clock >= foot.strike) return stand(foot.next);
     const float s = smootherstep(static_cast<float>((clock - foot.lift) / (foot.strike - foot.lift)));
-    const Vec3 a = planted(foot.plant, ankle, leg_length), b = planted(foot.next, ankle, leg_length);
+    const PlacedFoot a = stand(foot.plant), b = stand(foot.next);
     const Vec3 turn = to_rotation_vector(foot.next.tilt * conjugate(foot.plant.tilt));
-    return {a + (b - a) * s, from_rotation_vector(turn * s) * foot.plant.tilt};
+    return {a.ankle + (b.ankle - a.ankle) * s, from_rotation_vector(turn * s) * foot.plant.tilt,
+            a.uneven + (b.uneven - a.uneven) * s};
 }
 
 /// What is left of the fade: cubic Hermite from (offset, rate) to (0, 0).
@@ -84,6 +104,9 @@ Plant Planner::make_plant(std::size_t side, const ContactRun& run) const noexcep
         forecast_.time(run.first) +
         std::min(0.5 * static_cast<double>(run.last - run.first) / Forecast::k_rate, k_longest_passing);
     plant.passing = forecast_.passing(plant.centre, middle);
+    const float rise = std::fabs(plant.foothold.y - state_.feet[1 - side].plant.foothold.y);
+    const float slope = std::sqrt(plant.tilt.x * plant.tilt.x + plant.tilt.z * plant.tilt.z);
+    plant.uneven = k_unsink * smootherstep(std::min(1.0f, std::max(rise / k_uneven_rise, slope / k_uneven_tilt)));
     return plant;
 }
 
@@ -165,8 +188,8 @@ void Planner::join(std::size_t side, const FootState& before) noexcept {
     const LegPoints p = forecast_.at(side, now), q = forecast_.at(side, later);
     const PlacedFoot was = place_foot(before, now, p, leg_length(side)),
                      went = place_foot(before, later, q, leg_length(side));
-    const PlacedFoot is = blend_plants(foot, now, p.ankle, leg_length(side)),
-                     goes = blend_plants(foot, later, q.ankle, leg_length(side));
+    const PlacedFoot is = blend_plants(foot, now, p, leg_length(side)),
+                     goes = blend_plants(foot, later, q, leg_length(side));
     const Vec3 offset = was.ankle - is.ankle, rate = ((went.ankle - goes.ankle) - offset) * (1.0f / k_moment);
     foot.fade_from = foot.hump_from = now;
     foot.fade_until = foot.strike;
@@ -187,7 +210,8 @@ float Planner::needed(const LegPoints& points, const PlacedFoot& placed, Vec3 ma
         std::array<float, 3> heights;
         probe_.heights(under, heights);
         const float ground = std::max({heights[0], heights[1], heights[2]});
-        const float own = std::min(rig_.settings.swing_clearance, soles[k].y);
+        float own = std::min(rig_.settings.swing_clearance, soles[k].y);
+        if (own < 0) own *= 1 - placed.uneven;
         float least = ground + own - (points.ankle.y + arm.y);
         if (k == 2 && soles[k].y < k_toe_down) least -= k_toe_bend;
         need = std::max(need, least);
@@ -203,7 +227,7 @@ void Planner::clear_ground(std::size_t side) noexcept {
     for (int j = -1; j <= k_hump_samples; ++j) {
         const double clock = from + length * static_cast<double>(j) / (k_hump_samples - 1);
         const LegPoints points = forecast_.at(side, clock);
-        PlacedFoot placed = blend_plants(foot, clock, points.ankle, leg_length(side));
+        PlacedFoot placed = blend_plants(foot, clock, points, leg_length(side));
         task.base[static_cast<std::size_t>(j + 1)] = placed.ankle.y - points.ankle.y;
         if (j < 0 || j == k_hump_samples) continue;
         placed.ankle += fade_at(foot, clock).offset;
@@ -291,7 +315,7 @@ void Planner::plan_hips() noexcept {
 }  // namespace
 
 PlacedFoot place_foot(const FootState& foot, double clock, const LegPoints& points, float leg_length) noexcept {
-    PlacedFoot placed = blend_plants(foot, clock, points.ankle, leg_length);
+    PlacedFoot placed = blend_plants(foot, clock, points, leg_length);
     if (!foot.has_next || clock < foot.hump_from || clock >= foot.strike) return placed;
     const auto share = static_cast<float>((clock - foot.hump_from) / (foot.strike - foot.hump_from));
     const Fade fade = fade_at(foot, clock);
@@ -304,6 +328,8 @@ void plan_feet(const FootRig& rig, FootPlacementState& state, const GroundProbe&
                const LegPreview& preview) noexcept {
     Forecast forecast;
     look_ahead(rig, state.clock, preview, forecast);
+    if (!state.started)
+        for (FootState& foot : state.feet) foot.plant.foothold.y = probe.fallback;
     Planner planner(rig, state, probe, forecast);
     planner.plan_foot(0);
     planner.plan_foot(1);

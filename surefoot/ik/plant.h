@@ -12,9 +12,12 @@ namespace surefoot {
 /// T(p) = foothold + (v - v_c) + tilt v_c with v = p - centre. |v_c| is |v| near the plant and saturates smoothly, so
 /// that a foot swinging far from its plant is not turned about it on a long lever.
 struct Plant {
-    Vec3 centre;         ///< [m] world, y = 0: middle of heel and ball in the clip on flat ground
-    Vec3 foothold;       ///< [m] world: where that point goes
-    Quat tilt;           ///< takes flat ground to the ground there
+    Vec3 centre;    ///< [m] world, y = 0: middle of heel and ball in the clip on flat ground
+    Vec3 foothold;  ///< [m] world: where that point goes
+    Quat tilt;      ///< takes flat ground to the ground there
+    /// Share by which the foot is taken out of the ground where the clip itself sinks it: 0 on level ground that goes
+    /// on level (there the clip is not to be changed), more on any other.
+    float uneven = 0;
     double passing = 0;  ///< [s] on the state's clock: when the root passes over it
 };
 

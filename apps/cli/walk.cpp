@@ -1,0 +1,173 @@
+// surefoot walk PROJECT: walks a character over a course in three modes and says how its feet stand.
+
+#include "command.h"
+
+#include <surefoot/analysis/analyze.h>
+#include <surefoot/author/project.h>
+#include <surefoot/bake/character.h>
+#include <surefoot/base/error.h>
+#include <surefoot/course/walk_report.h>
+#include <surefoot/host/files.h>
+#include <surefoot/io/load.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace surefoot::cli {
+
+namespace {
+
+struct Options {
+    std::string project, course = "hills", path = "straight", ik = "surefoot";
+    std::string out, metrics, filmstrip;
+    float grade = 15, speed = 1.4f, seconds = 10;
+    bool json = false, all = false;
+};
+
+/// What walks: the character of a project, or the steady cycle of a clip.
+struct Walking {
+    std::string name;
+    Character character;
+    RoleMap roles;
+    std::unique_ptr<Walker> walker;
+};
+
+/// The cycle of a clip file whose speed is nearest to the one asked for.
+void load_clip(const Options& options, Walking& walking) {
+    const std::string paths[] = {options.project};
+    const LoadResult loaded = load_clips(paths);
+    if (!loaded.failed.empty()) throw Error(loaded.failed.front().error, "", "");
+    std::vector<AnalyzedClip> cycles;
+    for (const LoadedClip& clip : loaded.clips) {
+        AnalyzedClip whole = analyze_clip(clip.motion, clip.file, clip.unit_scale);
+        if (whole.facts.cyclic) {
+            cycles.push_back(std::move(whole));
+            continue;
+        }
+        for (AnalyzedClip& cycle : find_cycles(whole)) cycles.push_back(std::move(cycle));
+    }
+    const auto off = [&](const AnalyzedClip& clip) { return std::fabs(clip.facts.speed - options.speed); };
+    const auto best =
+        std::min_element(cycles.begin(), cycles.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
+    if (best == cycles.end())
+        throw Error("no steady cycle was found", options.project, "walk a project made by 'surefoot author'");
+    walking.name = best->facts.name;
+    walking.roles = best->roles.roles;
+    walking.walker = make_clip_walker(best->motion, best->legs);
+}
+
+void load_project_character(const Options& options, Walking& walking) {
+    std::filesystem::path file = options.project;
+    if (std::filesystem::is_directory(file)) file /= "project.json";
+    std::vector<std::string> warnings;
+    const Project project = load_project(file, &warnings);
+    walking.character = bake_character(project, file.parent_path());
+    for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
+    for (const std::string& warning : walking.character.warnings) fmt::print(stderr, "{}\n", warning);
+    walking.name = walking.character.name.empty() ? options.project : walking.character.name;
+    walking.roles = walking.character.roles;
+    walking.walker = make_character_walker(walking.character);
+    LocomotionState state;
+    if (update(walking.character.graph, state, {options.speed, 0, 0}, 0).clamped)
+        fmt::print(stderr,
+                   "{:g} m/s straight ahead lies outside the clips of {}: it walks as near to that as they go\n",
+                   options.speed, walking.name);
+}
+
+FootMode mode_from(const std::string& text) {
+    return text == "none" ? FootMode::none : text == "colvin2013" ? FootMode::colvin2013 : FootMode::surefoot;
+}
+
+void check(const Options& options) {
+    if (options.path != "straight")
+        throw Error("the path '" + options.path + "' cannot be walked yet", "--path", "use --path straight");
+    if (options.all && !(options.out.empty() && options.filmstrip.empty()))
+        throw Error("--all walks every course, a scene or filmstrip shows one", "--all", "name one --course");
+}
+
+WalkInfo info_of(const Options& options, const std::string& name, const std::string& course) {
+    return {name, course, options.path, options.grade, options.speed};
+}
+
+/// Every course, table after table, or one JSON object with all of them.
+void walk_all(const Options& options, Walking& walking) {
+    std::string json = "{\"walks\": [\n";
+    for (const std::string& name : course_names()) {
+        const WalkInfo info = info_of(options, walking.name, name);
+        const Course course = make_course(name, options.grade);
+        const WalkComparison walks = compare_modes(*walking.walker, *course.ground, options.speed, options.seconds);
+        json += (name == course_names().front() ? "" : ",\n") + metrics_json(info, walks);
+        if (!options.json) fmt::print("{}\n", metrics_table(info, walks));
+    }
+    json += "]}\n";
+    if (options.json) fmt::print("{}", json);
+    if (!options.metrics.empty()) write_file(options.metrics, json);
+}
+
+int run(const Options& options) {
+    check(options);
+    const Course course = make_course(options.course, options.grade);  // before long work: names are easily mistyped
+    Walking walking;
+    is_clip_file(options.project) || options.project.find('#') != std::string::npos
+        ? load_clip(options, walking)
+        : load_project_character(options, walking);
+    if (options.all) {
+        walk_all(options, walking);
+        return 0;
+    }
+    const WalkInfo info = info_of(options, walking.name, options.course);
+    const WalkComparison walks = compare_modes(*walking.walker, *course.ground, options.speed, options.seconds);
+    const std::string json = metrics_json(info, walks);
+    if (options.json)
+        fmt::print("{}", json);
+    else
+        fmt::print("{}", metrics_table(info, walks));
+    const FootMode mode = mode_from(options.ik);
+    if (!options.metrics.empty()) write_file(options.metrics, json);
+    if (!options.filmstrip.empty())
+        write_file(options.filmstrip, walk_filmstrip(info, course, walks, mode, walking.roles));
+    if (!options.out.empty()) write_file(options.out, walk_glb(info, course, walks, mode, walking.roles));
+    return 0;
+}
+
+}  // namespace
+
+extern const Command k_walk;
+const Command k_walk{
+    "walk", "Walk a character over a course and measure how its feet stand", [](CLI::App& app) {
+        auto options = std::make_shared<Options>();
+        app.add_option("PROJECT", options->project,
+                       "A project made by 'surefoot author' (its folder or file), or a clip")
+            ->required();
+        app.add_option("--course", options->course, "What to walk over")
+            ->check(CLI::IsMember(course_names()))
+            ->capture_default_str();
+        app.add_option("--grade", options->grade, "Steepness of slope_up and slope_down, degrees")
+            ->check(CLI::Range(0.0, 45.0))
+            ->capture_default_str();
+        app.add_option("--path", options->path, "straight, curve, start-stop or eight")
+            ->check(CLI::IsMember({"straight", "curve", "start-stop", "eight"}))
+            ->capture_default_str();
+        app.add_option("--speed", options->speed, "Metres a second")
+            ->check(CLI::Range(-10.0, 10.0))
+            ->capture_default_str();
+        app.add_option("--seconds", options->seconds, "How long")
+            ->check(CLI::Range(0.5, 3600.0))
+            ->capture_default_str();
+        app.add_option("--ik", options->ik, "Foot placement of the written scene and filmstrip")
+            ->check(CLI::IsMember({"none", "colvin2013", "surefoot"}))
+            ->capture_default_str();
+        app.add_option("-o,--output", options->out, "Write the walk as a .glb: character, terrain, contacts");
+        app.add_option("--metrics", options->metrics, "Write the metrics as JSON");
+        app.add_option("--filmstrip", options->filmstrip, "Draw the walk as an .svg, without and with foot placement");
+        app.add_flag("--json", options->json, "Print the metrics as JSON");
+        app.add_flag("--all", options->all, "Walk every course");
+        return [options] { return run(*options); };
+    }};
+
+}  // namespace surefoot::cli
