@@ -11,7 +11,7 @@ namespace surefoot::cli {
 // One per file beside this one.
 extern const Command k_convert;
 extern const Command k_mirror, k_reverse, k_cut, k_resample, k_roles;
-extern const Command k_author, k_lint;
+extern const Command k_author, k_lint, k_walk;
 }  // namespace surefoot::cli
 
 int main(int argc, char** argv) {
@@ -22,7 +22,8 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
 
     std::function<int()> chosen;
-    const Command* commands[] = {&k_author, &k_lint, &k_convert, &k_mirror, &k_reverse, &k_cut, &k_resample, &k_roles};
+    const Command* commands[] = {&k_author,  &k_lint, &k_walk,     &k_convert, &k_mirror,
+                                 &k_reverse, &k_cut,  &k_resample, &k_roles};
     for (const Command* command : commands) {
         if (!command) continue;
         CLI::App* sub = app.add_subcommand(command->name, command->help);

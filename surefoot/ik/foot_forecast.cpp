@@ -16,6 +16,7 @@ constexpr float k_slow_share = 0.3f;   // of the root's speed
 constexpr float k_fast_root = 1.7f;    // [m/s] from here on the share counts
 constexpr int k_gap = 4;               // samples: shorter gaps in a stance are noise
 constexpr int k_shortest_run = 3;      // and so are shorter stances
+constexpr double k_most_early = 0.5;   // [s] a root that passes a foot this long before or after its stance is turning
 constexpr int k_batch = 12;            // samples asked of the host at once
 
 float speed_at(const std::array<LegPoints, Forecast::k_samples>& leg, Vec3 LegPoints::*point, int i) noexcept {
@@ -115,13 +116,21 @@ Footprint Forecast::footprint(std::size_t side, const ContactRun& run, float leg
 }
 
 double Forecast::passing(Vec3 place, double otherwise) const noexcept {
-    int nearest = 0;
+    std::size_t nearest = 0;
     float least = 1e30f;
-    for (int i = 0; i < k_samples; ++i) {
-        const float d = planar_length(root[static_cast<std::size_t>(i)] - place);
+    for (std::size_t i = 0; i < k_samples; ++i) {
+        const float d = planar_length(root[i] - place);
         if (d < least) least = d, nearest = i;
     }
-    return nearest > 0 && nearest + 1 < k_samples ? time(nearest) : otherwise;
+    // Between the samples, and beyond them as the root goes there.
+    const std::size_t before = nearest > 0 ? nearest - 1 : 0, after = std::min<std::size_t>(nearest + 1, k_samples - 1);
+    const Vec3 step = (root[after] - root[before]) * (1.0f / static_cast<float>(after - before));
+    const float square = dot(step, step);
+    constexpr float k_slowest = 0.1f / k_rate;  // [m] a sample: slower roots pass nothing
+    if (square < k_slowest * k_slowest) return otherwise;
+    const double samples =
+        static_cast<double>(nearest) + static_cast<double>(dot(place - root[nearest], step) / square);
+    return std::clamp(start + samples / k_rate, otherwise - k_most_early, otherwise + k_most_early);
 }
 
 void look_ahead(const FootRig& rig, double clock, const LegPreview& preview, Forecast& f) noexcept {

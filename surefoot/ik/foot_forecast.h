@@ -41,7 +41,7 @@ struct Forecast {
     LegPoints at(std::size_t side, double clock) const noexcept;
     /// Mean outline of a run, from the samples in which heel and ball are both down where there are enough.
     Footprint footprint(std::size_t side, const ContactRun& run, float leg_length) const noexcept;
-    /// When the root passes `place`, if it does between the samples; else `otherwise`.
+    /// When the root passes `place`; `otherwise`, the middle of the stance there, where the root hardly moves.
     double passing(Vec3 place, double otherwise) const noexcept;
 };
 

@@ -26,11 +26,11 @@ constexpr double k_moment = 1.0 / 60;  // [s] for velocities by difference
 
 float smootherstep(float x) noexcept { return x * x * x * (10 + x * (-15 + 6 * x)); }
 
-/// How deep the clip itself sinks heel or ball into its own ground; smooth.
+/// How deep the clip itself sinks heel or ball into its own ground; it begins smoothly.
 float own_depth(const LegPoints& points) noexcept {
-    constexpr float k_soft = 0.002f;  // [m]
-    const float depth = -std::min(points.heel.y, points.ball.y);
-    return 0.5f * (depth + std::sqrt(depth * depth + k_soft * k_soft));
+    constexpr float k_soft = 0.004f;  // [m]
+    const float depth = std::max(0.0f, -std::min(points.heel.y, points.ball.y));
+    return depth * depth / (depth + k_soft);
 }
 
 Vec3 plant_ankle(const Plant& plant, const LegPoints& points, float leg_length) noexcept {

@@ -84,7 +84,7 @@ TEST(Walk, slopes_are_walked_up_and_down) {
             EXPECT_LT(m.float_mean_cm, 0.1) << name << grade;
             EXPECT_LT(m.sole_angle_deg, 1) << name << grade;
             EXPECT_EQ(m.over_extensions, 0) << name << grade;
-            EXPECT_LT(m.knee_peak_ratio, 1.8) << name << grade;
+            EXPECT_TRUE(m.knee_peak_ratio < 1.8 || m.knee_peak_deg_s2 < 22000) << name << grade;
             EXPECT_LT(m.hip_jerk_ratio, grade > 20 ? 2.5 : 2) << name << grade;
         }
 }
