@@ -1,6 +1,8 @@
 // Writes .glb files, and beside each animation the world positions that we mean, for judge.mjs to compare.
 //
-//   judge_export FOLDER [wrong] [CLIPS...]
+//   judge_export FOLDER [CLIPS...]     the generated clips, and those of files in any format
+//   judge_export FOLDER wrong          what the judges must object to
+//   judge_export FOLDER read PATHS...  copies of .glb files of ours, with the positions that we read from them
 //
 // `wrong` writes one clip whose stated positions are off by a millimetre in one place, and one file with a broken
 // accessor: the judges must see both.
@@ -76,6 +78,23 @@ void write_wrong(const std::filesystem::path& folder) {
     write_file(folder / "broken.glb", bytes);
 }
 
+/// A file may hold many clips; they come one after the other.
+void state_files(const std::filesystem::path& folder, const std::vector<std::string>& paths) {
+    LoadResult loaded = load_clips(paths);
+    for (const LoadFailure& failure : loaded.failed) throw Error(failure.error, failure.file, "");
+    std::string file;
+    std::size_t files = 0, index = 0;
+    for (const LoadedClip& clip : loaded.clips) {
+        const std::string of = clip.file.substr(0, clip.file.rfind(".glb") + 4);
+        index = of == file ? index + 1 : 0;
+        if (of != file) write_file(folder / ("file_" + std::to_string(files++) + ".glb"), read_file(of));
+        file = of;
+        write_file(folder / ("file_" + std::to_string(files - 1) + "." + std::to_string(index) + ".json"),
+                   stated_places(clip.motion, index));
+    }
+    if (files == 0) throw Error("no .glb to read", folder.string(), "");
+}
+
 /// The beginning of a clip: the judges need not see minutes.
 Motion beginning(Motion motion) {
     const std::size_t frames = std::min<std::size_t>(motion.root.size(), 240);
@@ -91,6 +110,10 @@ int run(int argc, char** argv) {
         write_wrong(folder);
         return 0;
     }
+    if (argc > 2 && std::string(argv[2]) == "read") {
+        state_files(folder, {argv + 3, argv + argc});
+        return 0;
+    }
     write_case(folder, "default", make_default_set().clips);
     const std::vector<std::string> paths(argv + 2, argv + argc);
     LoadResult loaded = load_clips(paths);
@@ -104,7 +127,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::fprintf(stderr, "usage: judge_export FOLDER [wrong] [CLIPS...]\n");
+        std::fprintf(stderr, "usage: judge_export FOLDER [wrong | read] [PATHS...]\n");
         return 2;
     }
     try {
