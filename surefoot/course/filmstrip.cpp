@@ -274,7 +274,7 @@ void Row::draw(std::string& svg, const std::vector<int>& frames) {
 /// Frames at which the root has gone another `spacing`, within the stretch.
 std::vector<int> frames_to_draw(const Filmstrip& strip, const Motion& walk, Vec3 along) {
     std::vector<int> frames;
-    constexpr float k_rim = 0.42f;  // [m] arms and legs stay inside the picture
+    constexpr float k_rim = 0.6f;  // [m] arms and legs stay inside the picture
     float next = strip.from + k_rim;
     for (int f = 0; f < walk.frame_count(); ++f) {
         const float s = dot(walk.root[static_cast<std::size_t>(f)].position, along);

@@ -1,0 +1,231 @@
+// Foot placement when nobody knows the path: steering that changes without notice, odd frame rates, holes in the
+// ground.
+
+#include <surefoot/course/walk.h>
+#include <surefoot/ground/shapes.h>
+#include <surefoot/preset/default_set.h>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace surefoot {
+namespace {
+
+const DefaultSet& default_set() {
+    static const DefaultSet set = make_default_set();
+    return set;
+}
+const Motion& clip_named(const std::string& name) {
+    for (const Motion& clip : default_set().clips)
+        if (clip.name == name) return clip;
+    std::abort();
+}
+Legs default_legs() {
+    std::vector<Transform> standing(default_set().skeleton->rest.size());
+    local_to_model(*default_set().skeleton, default_set().skeleton->rest, standing);
+    return make_legs(*default_set().skeleton, default_set().roles, standing, 0);
+}
+
+/// Plays a clip, but the root goes where a stick says; what comes is foreseen as though the stick stayed.
+class SteeredWalker final : public Walker {
+  public:
+    using Stick = float (*)(double time);  ///< turn rate, rad/s
+    SteeredWalker(const Motion& clip, Stick stick) : inner_(make_clip_walker(clip, default_legs())), stick_(stick) {}
+    const std::shared_ptr<const Skeleton>& skeleton() const override { return inner_->skeleton(); }
+    const Legs& legs() const override { return inner_->legs(); }
+    std::span<const Transform> standing() const override { return inner_->standing(); }
+    void start(float speed_mps) override {
+        inner_->start(speed_mps);
+        speed_ = speed_mps;
+        root_ = {};
+        time_ = 0;
+    }
+    void advance(float dt) noexcept override {
+        inner_->advance(dt);
+        root_ = go(root_, stick_(time_), dt);
+        time_ += static_cast<double>(dt);
+    }
+    void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
+        inner_->look(ahead, root, locals);
+        root = root_;
+        for (float left = ahead; left > 0; left -= k_step) root = go(root, stick_(time_), std::min(left, k_step));
+    }
+
+  private:
+    static constexpr float k_step = 1.0f / 120;
+    RootFrame go(RootFrame from, float turn, float dt) const noexcept {
+        return from * RootFrame{{0, 0, speed_ * dt}, turn * dt};
+    }
+    std::unique_ptr<Walker> inner_;
+    Stick stick_;
+    float speed_ = 1.4f;
+    RootFrame root_;
+    double time_ = 0;
+};
+
+/// Largest change from frame to frame, and change of that change, of what placing adds to the ankles.
+struct Jumps {
+    float step = 0, kink = 0;
+};
+Jumps jumps(const Walked& placed, const Walked& plain, const Legs& legs) {
+    const WalkTrack a = make_track(placed.motion, legs), b = make_track(plain.motion, legs);
+    Jumps worst;
+    for (std::size_t side = 0; side < 2; ++side)
+        for (std::size_t f = 2; f < a.frames.size(); ++f) {
+            const auto added = [&](std::size_t i) {
+                return a.frames[i].legs[side].ankle - b.frames[i].legs[side].ankle;
+            };
+            worst.step = std::max(worst.step, distance(added(f), added(f - 1)));
+            worst.kink = std::max(worst.kink, length(added(f) - 2.0f * added(f - 1) + added(f - 2)));
+        }
+    return worst;
+}
+
+/// A hard turn to the left, then to the right, out of nowhere.
+float slalom(double time) { return time < 2 ? 0.0f : time < 4.3 ? 1.6f : time < 6.1 ? -1.9f : 0.4f; }
+
+TEST(SteeredWalk, feet_stay_on_the_hills_where_steering_changes_without_notice) {
+    const Course hills = make_course("hills");
+    SteeredWalker walker(clip_named("walk"), slalom);
+    const WalkComparison c = compare_modes(walker, *hills.ground, 1.4f, 10);
+    const WalkMetrics &none = c.metrics[0], &ours = c.metrics[2];
+    EXPECT_LT(ours.penetration_max_cm, 1.5);
+    EXPECT_LT(ours.penetration_mean_cm, 0.1);
+    EXPECT_LT(ours.float_mean_cm, 0.2);
+    EXPECT_LT(ours.sole_angle_deg, 1.5);
+    EXPECT_LT(ours.skate_cm_s, none.skate_cm_s + 0.6);
+    EXPECT_EQ(ours.over_extensions, 0);
+    EXPECT_LT(ours.hip_jerk_ratio, 2.5);
+    EXPECT_LT(c.walked[2].plans, 120);  // a few more than once a step
+}
+
+TEST(SteeredWalk, replanning_in_mid_swing_makes_no_jump) {
+    const Course hills = make_course("hills");
+    SteeredWalker steered(clip_named("walk"), slalom), straight(clip_named("walk"), [](double) { return 0.0f; });
+    const auto worst = [&](SteeredWalker& walker) {
+        const Walked plain = walk(walker, Plane(), {1.4f, 10, FootMode::none});
+        return jumps(walk(walker, *hills.ground, {1.4f, 10, FootMode::surefoot}), plain, walker.legs());
+    };
+    const Jumps calm = worst(straight), wild = worst(steered);
+    EXPECT_LT(wild.step, 0.04f);
+    EXPECT_LT(wild.kink, 2.5f * calm.kink + 0.002f) << calm.kink;
+}
+
+TEST(SteeredWalk, on_flat_ground_steering_changes_nothing_either) {
+    SteeredWalker walker(clip_named("walk"), slalom);
+    const Walked plain = walk(walker, Plane(), {1.4f, 8, FootMode::none});
+    const Jumps worst = jumps(walk(walker, Plane(), {1.4f, 8, FootMode::surefoot}), plain, walker.legs());
+    EXPECT_LT(worst.step, 2e-5f);
+}
+
+/// Runs foot placement by hand, at a frame rate of one's own.
+struct ByHand {
+    explicit ByHand(Walker& walker_to_use, FootMode mode = FootMode::surefoot) : walker(walker_to_use) {
+        FootSettings settings;
+        settings.mode = mode;
+        rig = make_foot_rig(*walker.skeleton(), walker.legs(), walker.standing(), settings);
+        locals.resize(walker.skeleton()->rest.size());
+        models.resize(locals.size());
+        walker.start(1.4f);
+    }
+    struct Preview final : LegPreview {
+        const ByHand* self;
+        void sample(std::span<const float> ahead, std::span<LegsPose> legs,
+                    std::span<RootFrame> roots) const noexcept override {
+            std::vector<Transform> l(self->locals.size()), m(l.size());
+            for (std::size_t i = 0; i < ahead.size(); ++i) {
+                self->walker.look(ahead[i], roots[i], l);
+                local_to_model(*self->walker.skeleton(), l, m);
+                legs[i] = read_legs(self->rig, m);
+            }
+        }
+    };
+    void frame(float dt, const Ground& ground) {
+        if (dt > 0) walker.advance(dt);
+        FootInput input;
+        input.dt = dt;
+        walker.look(0, input.root, locals);
+        local_to_model(*walker.skeleton(), locals, models);
+        input.legs = read_legs(rig, models);
+        Preview preview;
+        preview.self = this;
+        place_feet(rig, state, input, ground, &preview, output);
+        apply(rig, output, models, locals);
+        local_to_model(*walker.skeleton(), locals, models);
+        for (Transform& t : models) t = to_transform(input.root) * t;
+    }
+    Vec3 ankle(std::size_t side) const {
+        return models[static_cast<std::size_t>(walker.legs().side[side].foot)].translation;
+    }
+    Walker& walker;
+    FootRig rig;
+    FootPlacementState state;
+    FootOutput output;
+    std::vector<Transform> locals, models;
+};
+
+TEST(FootPlacement, other_frame_rates_give_the_same_walk) {
+    const Course hills = make_course("hills");
+    const auto one = make_clip_walker(clip_named("walk"), default_legs()),
+               other = make_clip_walker(clip_named("walk"), default_legs());
+    ByHand fast(*one), slow(*other);
+    fast.frame(0, *hills.ground);
+    slow.frame(0, *hills.ground);
+    float worst = 0;
+    for (int i = 0; i < 150; ++i) {
+        for (int k = 0; k < 4; ++k) fast.frame(1.0f / 120, *hills.ground);
+        slow.frame(1.0f / 30, *hills.ground);
+        for (std::size_t side = 0; side < 2; ++side)
+            worst = std::max(worst, distance(fast.ankle(side), slow.ankle(side)));
+    }
+    EXPECT_LT(worst, 0.03f);
+}
+
+TEST(FootPlacement, state_rolls_back_by_copying_bytes) {
+    const Course hills = make_course("hills");
+    const auto walker = make_clip_walker(clip_named("walk"), default_legs());
+    ByHand hand(*walker);
+    hand.frame(0, *hills.ground);
+    for (int i = 0; i < 100; ++i) hand.frame(1.0f / 60, *hills.ground);
+    FootPlacementState saved;
+    std::memcpy(&saved, &hand.state, sizeof saved);
+    std::vector<Vec3> first;
+    for (int i = 0; i < 50; ++i) hand.frame(1.0f / 60, *hills.ground), first.push_back(hand.ankle(0));
+    std::memcpy(&hand.state, &saved, sizeof saved);
+    walker->start(1.4f);
+    for (int i = 0; i < 100; ++i) walker->advance(1.0f / 60);
+    for (int i = 0; i < 50; ++i) {
+        hand.frame(1.0f / 60, *hills.ground);
+        EXPECT_EQ(hand.ankle(0), first[static_cast<std::size_t>(i)]) << i;
+    }
+}
+
+TEST(FootPlacement, without_ground_or_across_a_hitch_nothing_breaks) {
+    struct Nothing final : Ground {
+        void query(std::span<const GroundQuery>, std::span<GroundHit> hits) const noexcept override {
+            for (GroundHit& hit : hits) hit = {false, std::nanf(""), {}, 0, {}};
+        }
+    };
+    const auto walker = make_clip_walker(clip_named("walk"), default_legs());
+    for (const FootMode mode : {FootMode::none, FootMode::colvin2013, FootMode::surefoot}) {
+        ByHand hand(*walker, mode);
+        for (const float dt : {0.0f, 0.016f, 0.5f, 0.0f, 3.0f, 0.001f, 0.016f, 0.2f}) {
+            hand.frame(dt, Nothing());
+            for (const Transform& t : hand.models) ASSERT_TRUE(is_finite(t.translation) && is_finite(t.rotation));
+        }
+    }
+}
+
+TEST(FootPlacement, a_teleport_forgets_the_old_ground) {
+    const Course hills = make_course("hills");
+    const auto walker = make_clip_walker(clip_named("walk"), default_legs());
+    ByHand hand(*walker);
+    for (int i = 0; i < 30; ++i) hand.frame(i ? 1.0f / 60 : 0, *hills.ground);
+    hand.state = {};
+    hand.frame(0, Plane(0, 0, 1.2f));
+    for (std::size_t side = 0; side < 2; ++side) EXPECT_GT(hand.ankle(side).y, 1.2f);
+}
+
+}  // namespace
+}  // namespace surefoot
