@@ -131,7 +131,7 @@ TEST(sample, of_a_cyclic_clip_goes_on_with_its_travel) {
     EXPECT_TRUE(is_finite(later.position));
 }
 
-TEST(close_loop, makes_first_and_last_pose_equal_and_adds_no_more_than_half_the_seam) {
+TEST(close_loop, makes_first_and_last_pose_equal_and_adds_little_more_than_half_the_seam) {
     const Walker walker;
     Motion clip = walker.walk(1.4f, 40, 1.05f);  // a twentieth of a cycle too long
     extract_root_motion(clip, walker.roles);
@@ -142,18 +142,19 @@ TEST(close_loop, makes_first_and_last_pose_equal_and_adds_no_more_than_half_the_
     EXPECT_FLOAT_EQ(measured.seam, closed.seam);
     EXPECT_FLOAT_EQ(measured.seam_speed, closed.seam_speed);
     EXPECT_GT(closed.seam, 0.05f);
-    EXPECT_LT(closed.added, 0.6f * closed.seam);
+    EXPECT_LT(closed.added, 0.6f * closed.seam + 0.02f * closed.seam_speed);
     EXPECT_GT(closed.added, 0.3f * closed.seam);
     for (std::size_t j = 0; j < clip.frame(0).size(); ++j) {
         EXPECT_EQ(clip.frame(0)[j].translation, clip.frame(clip.frame_count() - 1)[j].translation);
         EXPECT_EQ(clip.frame(0)[j].rotation, clip.frame(clip.frame_count() - 1)[j].rotation);
     }
     EXPECT_LT(measure_seam(clip).seam, 1e-5f);
+    EXPECT_LT(measure_seam(clip).seam_speed, 0.1f * closed.seam_speed);
     // The middle of the clip is where it was in the world (frame 31 of 0 to 63 is half a frame off it).
     std::vector<Transform> a(static_cast<std::size_t>(clip.joint_count())), b = a;
     world_pose(before, 31, a);
     world_pose(clip, 31, b);
-    for (std::size_t j = 0; j < a.size(); ++j) EXPECT_LT(distance(a[j].translation, b[j].translation), 0.005f);
+    for (std::size_t j = 0; j < a.size(); ++j) EXPECT_LT(distance(a[j].translation, b[j].translation), 0.01f);
 }
 
 TEST(close_loop, leaves_a_closed_cycle_as_it_is) {
