@@ -110,7 +110,7 @@ void write_clips(const fs::path& folder, const Project& project, const std::vect
     std::optional<Mesh> mesh;
     if (mannequin) {
         const AnalyzedClip& first = kept.front().clip;
-        mesh = make_mannequin(*first.motion.skeleton, first.roles.roles, first.legs);
+        mesh = make_mannequin(first.motion, first.roles.roles, first.legs);
     }
     parallel_for(kept.size(), [&](std::size_t i) {
         write_file(folder / project.clips[i].file, clip_glb(project.clips[i], kept[i].clip.motion, mesh));

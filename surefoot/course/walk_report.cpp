@@ -171,7 +171,7 @@ std::string walk_glb(const WalkInfo& info, const Course& course, const WalkCompa
     GltfScene scene;
     scene.motions.push_back(walks.walked[static_cast<std::size_t>(mode)].motion);
     scene.motions.back().name = "walk_" + info.course;
-    scene.mesh = make_mannequin(*scene.motions.back().skeleton, roles, walks.legs);
+    scene.mesh = make_mannequin(scene.motions.back(), roles, walks.legs);
     scene.statics.push_back(terrain_of(course.mesh));
     scene.extras = extras_json(info, walks, mode);
     return write_glb(scene);

@@ -150,10 +150,16 @@ void Writer::write_joints() {
                                                           : joint_nodes_[static_cast<std::size_t>(tops[0])]);
 }
 
-/// The inverse of each joint's place in rest pose, in doubles: vertices must not shake.
+/// The inverse of each joint's place in the pose that the mesh shows.
 void Writer::write_skin() {
     std::vector<Transform> models(static_cast<std::size_t>(skeleton_.joint_count()));
     local_to_model(skeleton_, skeleton_.rest, models);
+    if (scene_.mesh && !scene_.mesh->bind.empty()) {
+        if (scene_.mesh->bind.size() != models.size())
+            throw Error("its bind pose does not match the skeleton", "mesh '" + scene_.name + "'",
+                        "nothing was written");
+        models = scene_.mesh->bind;
+    }
     std::vector<float> inverses;
     for (const Transform& model : models) {
         const Matrix34 m = to_matrix(inverse({normalized(model.rotation), model.translation}));

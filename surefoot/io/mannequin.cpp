@@ -23,18 +23,19 @@ struct Girth {
 
 class Sculptor {
   public:
-    Sculptor(const Skeleton& skeleton, const RoleMap& roles, const Legs& legs);
+    Sculptor(const Skeleton& skeleton, const RoleMap& roles, const Legs& legs, std::span<const Transform> bind);
     Mesh sculpt();
 
   private:
     bool has(Role role) const { return roles_.has(role); }
-    Vec3 at(Role role) const { return rest_[static_cast<std::size_t>(roles_[role])].translation; }
-    Quat turned(int joint) const { return rest_[static_cast<std::size_t>(joint)].rotation; }
+    Vec3 at(Role role) const { return bind_[static_cast<std::size_t>(roles_[role])].translation; }
+    Quat turned(int joint) const { return bind_[static_cast<std::size_t>(joint)].rotation; }
     float size(float share) const { return share * stature_; }
     Vec3 tip_of(Role role, Vec3 direction, float usual) const;
     int chest_joint() const;
     Vec3 neck_base() const;
     Ring ring(Vec3 center, Vec3 along, const Girth& girth, const SkinWeights& skin) const;
+    Vec3 head_base() const;
     void add_torso();
     void add_head();
     void add_leg(Side side);
@@ -47,17 +48,16 @@ class Sculptor {
     const Skeleton& skeleton_;
     const RoleMap& roles_;
     const Legs& legs_;
-    std::vector<Transform> rest_;
+    std::span<const Transform> bind_;
     float stature_;
     Vec3 hips_;               // between the hip joints
-    Vec3 left_, up_, front_;  // of the body in its rest pose
+    Vec3 left_, up_, front_;  // of the body in its bind pose
     float hip_half_width_, shoulder_half_width_;
     Mesh mesh_;
 };
 
-Sculptor::Sculptor(const Skeleton& skeleton, const RoleMap& roles, const Legs& legs)
-    : skeleton_(skeleton), roles_(roles), legs_(legs), rest_(skeleton.rest.size()) {
-    local_to_model(skeleton, skeleton.rest, rest_);
+Sculptor::Sculptor(const Skeleton& skeleton, const RoleMap& roles, const Legs& legs, std::span<const Transform> bind)
+    : skeleton_(skeleton), roles_(roles), legs_(legs), bind_(bind) {
     const Leg &left = legs[Side::left], &right = legs[Side::right];
     stature_ = std::max(0.5f * (left.length() + right.length()) / k_leg_share, 1e-3f);
     const Vec3 hip_left = at(Role::left_upper_leg), hip_right = at(Role::right_upper_leg);
@@ -93,20 +93,27 @@ Vec3 Sculptor::neck_base() const {
     return hips_ + Vec3{0, size(0.3f), 0};
 }
 
+/// Under the chin. Rigs put the head's joint anywhere between the neck and the ears: the crown decides.
+Vec3 Sculptor::head_base() const {
+    const Vec3 joint = at(Role::head);
+    const float above = std::clamp(dot(tip_of(Role::head, up_, k_head_height) - joint, up_), size(0.06f), size(0.16f));
+    return joint + up_ * (above - size(k_head_height));
+}
+
 /// End of a leaf bone: the skeleton's tip, else the farthest joint below it, else the usual length along `direction`.
 Vec3 Sculptor::tip_of(Role role, Vec3 direction, float usual) const {
     const int joint = roles_[role];
     const auto j = static_cast<std::size_t>(joint);
     float farthest = size(0.3f * usual);
-    Vec3 tip = rest_[j].translation + direction * size(usual);
+    Vec3 tip = bind_[j].translation + direction * size(usual);
     for (int k = joint; k < skeleton_.joint_count(); ++k) {
         if (!is_within(skeleton_, k, joint)) continue;
         const Vec3 end =
-            transform_point(rest_[static_cast<std::size_t>(k)], skeleton_.tips[static_cast<std::size_t>(k)]);
-        const float along = dot(end - rest_[j].translation, direction);
+            transform_point(bind_[static_cast<std::size_t>(k)], skeleton_.tips[static_cast<std::size_t>(k)]);
+        const float along = dot(end - bind_[j].translation, direction);
         if (along <= farthest || along > size(2.5f * usual)) continue;
         farthest = along;
-        tip = rest_[j].translation + direction * along;
+        tip = bind_[j].translation + direction * along;
     }
     return tip;
 }
@@ -135,7 +142,7 @@ void Sculptor::add_torso() {
         if (has(role) && dot(neck_base() - at(role), up_) > size(0.03f)) extend(at(role), roles_[role]);
     extend(neck_base(), roles_[Role::neck]);
     const float to_neck = place;
-    if (has(Role::head)) extend(at(Role::head), roles_[Role::head]);
+    if (has(Role::head)) extend(head_base(), roles_[Role::head]);
     const float neck_length = place > to_neck ? place - to_neck : size(0.05f);
     for (std::size_t i = 1; i < chain.links.size(); ++i) {
         float gap = chain.links[i].place - chain.links[i - 1].place;
@@ -154,22 +161,30 @@ void Sculptor::add_torso() {
     };
     const float hip = hip_half_width_ / stature_, shoulder = shoulder_half_width_ / stature_;
     const float trunk = to_neck / stature_, neck = neck_length / stature_;
+    // Upper stations follow the shoulder joints, which rigs put at different heights.
+    constexpr float k_usual_shoulder = 0.914f;  // share of the trunk, hip joints to neck
+    float lift = trunk;
+    if (has(Role::left_upper_arm) && has(Role::right_upper_arm)) {
+        const Vec3 middle = 0.5f * (at(Role::left_upper_arm) + at(Role::right_upper_arm));
+        lift = trunk * std::clamp(dot(middle - hips_, up_) / to_neck, 0.8f, 1.1f) / k_usual_shoulder;
+    }
+    const float above = std::max(trunk, 1.01f * lift);
     const Girth girths[] = {{-0.062f, 0.5f * hip, 0.020f},
                             {-0.052f, hip + 0.006f, 0.042f},
                             {-0.030f, hip + 0.028f, 0.056f, 0.004f},
                             {0, hip + 0.041f, 0.063f, 0.008f},
                             {0.035f, hip + 0.038f, 0.064f, 0.006f},
-                            {0.30f * trunk, 0.079f, 0.056f},
-                            {0.45f * trunk, 0.082f, 0.058f},
-                            {0.62f * trunk, 0.090f, 0.064f, 0.002f},
-                            {0.76f * trunk, std::max(0.094f, shoulder - 0.010f), 0.066f, 0.004f},
-                            {0.86f * trunk, std::max(0.094f, shoulder - 0.004f), 0.060f, 0.006f},
-                            {0.93f * trunk, shoulder * 0.86f, 0.049f, 0.008f},
-                            {0.985f * trunk, shoulder * 0.50f, 0.040f, 0.006f},
-                            {trunk + 0.08f * neck, 0.037f, 0.037f, 0.004f},
-                            {trunk + 0.5f * neck, 0.032f, 0.034f},
-                            {trunk + neck, 0.032f, 0.034f},
-                            {trunk + neck + 0.02f, 0.024f, 0.026f}};
+                            {0.30f * lift, 0.079f, 0.056f},
+                            {0.45f * lift, 0.082f, 0.058f},
+                            {0.62f * lift, 0.090f, 0.064f, 0.002f},
+                            {0.76f * lift, std::max(0.094f, shoulder - 0.010f), 0.066f, 0.004f},
+                            {0.86f * lift, std::max(0.094f, shoulder - 0.004f), 0.060f, 0.006f},
+                            {0.93f * lift, shoulder * 0.86f, 0.049f, 0.008f},
+                            {0.985f * lift, shoulder * 0.50f, 0.040f, 0.006f},
+                            {above + 0.08f * neck, 0.037f, 0.037f, 0.004f},
+                            {std::max(above + 0.2f * neck, trunk + 0.5f * neck), 0.032f, 0.034f},
+                            {std::max(above + 0.3f * neck, trunk + neck), 0.032f, 0.034f},
+                            {std::max(above + 0.3f * neck, trunk + neck) + 0.02f, 0.024f, 0.026f}};
     std::vector<Ring> rings;
     for (const Girth& girth : girths) {
         const float s = size(girth.along);
@@ -182,8 +197,8 @@ void Sculptor::add_torso() {
 void Sculptor::add_head() {
     if (!has(Role::head)) return;
     const SkinWeights skin = SkinWeights::rigid(roles_[Role::head]);
-    const Vec3 base = at(Role::head);
-    const float height = dot(tip_of(Role::head, up_, k_head_height) - base, up_) / stature_;
+    const Vec3 base = head_base();
+    constexpr float height = k_head_height;
     // From under the chin to the crown; a face that looks forward, so that the heading shows.
     const Girth girths[] = {
         {0.00f, 0.026f, 0.030f, -0.008f}, {0.06f, 0.032f, 0.042f, -0.014f}, {0.18f, 0.037f, 0.049f, -0.013f},
@@ -207,7 +222,7 @@ void Sculptor::add_head() {
 
 void Sculptor::add_leg(Side side) {
     const Leg& leg = legs_[side];
-    const auto origin = [&](int joint) { return rest_[static_cast<std::size_t>(joint)].translation; };
+    const auto origin = [&](int joint) { return bind_[static_cast<std::size_t>(joint)].translation; };
     const Vec3 hip = origin(leg.upper), knee = origin(leg.lower), ankle = origin(leg.foot);
     const Vec3 thigh = normalized(knee - hip, -k_up), shank = normalized(ankle - knee, -k_up);
     const float a = distance(hip, knee), b = distance(knee, ankle);
@@ -246,8 +261,8 @@ void Sculptor::add_leg(Side side) {
 
 /// A shoe from heel to toe tip whose sole is flat on the floor when the foot stands.
 void Sculptor::add_shoe(const Leg& leg) {
-    const Transform& foot = rest_[static_cast<std::size_t>(leg.foot)];
-    const Transform& front = leg.toes == k_no_joint ? foot : rest_[static_cast<std::size_t>(leg.toes)];
+    const Transform& foot = bind_[static_cast<std::size_t>(leg.foot)];
+    const Transform& front = leg.toes == k_no_joint ? foot : bind_[static_cast<std::size_t>(leg.toes)];
     const SolePoints sole = sole_points(leg, foot, front);
     const Vec3 up = rotate(foot.rotation, leg.up), forward = rotate(foot.rotation, leg.forward);
     const Vec3 across = cross(up, forward);
@@ -372,13 +387,32 @@ Mesh Sculptor::sculpt() {
 
 }  // namespace
 
+Mesh make_mannequin(const Skeleton& skeleton, const RoleMap& roles, const Legs& legs,
+                    std::span<const Transform> bind_models) {
+    assert(roles.has_legs() && bind_models.size() >= skeleton.parents.size());
+    Mesh mesh = Sculptor(skeleton, roles, legs, bind_models).sculpt();
+    mesh.bind.assign(bind_models.begin(), bind_models.begin() + skeleton.joint_count());
+    return mesh;
+}
+
 Mesh make_mannequin(const Skeleton& skeleton, const RoleMap& roles, const Legs& legs) {
-    assert(roles.has_legs());
-    return Sculptor(skeleton, roles, legs).sculpt();
+    std::vector<Transform> rest(skeleton.rest.size());
+    local_to_model(skeleton, skeleton.rest, rest);
+    Mesh mesh = make_mannequin(skeleton, roles, legs, rest);
+    mesh.bind.clear();
+    return mesh;
 }
 
 Mesh make_mannequin(const Skeleton& skeleton, const RoleMap& roles, std::span<const Transform> standing_models) {
-    return make_mannequin(skeleton, roles, make_legs(skeleton, roles, standing_models, 0));
+    return make_mannequin(skeleton, roles, make_legs(skeleton, roles, standing_models, 0), standing_models);
+}
+
+Mesh make_mannequin(const Motion& motion, const RoleMap& roles, const Legs& legs) {
+    const int frame = mannequin_bind_frame(motion, roles);
+    if (frame < 0) return make_mannequin(*motion.skeleton, roles, legs);
+    std::vector<Transform> models(static_cast<std::size_t>(motion.joint_count()));
+    local_to_model(*motion.skeleton, motion.frame(frame), models);
+    return make_mannequin(*motion.skeleton, roles, legs, models);
 }
 
 }  // namespace surefoot

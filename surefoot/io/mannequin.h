@@ -5,15 +5,29 @@
 // without a role are left out; missing toes, shoulders, chest joints and arms are fine. Same input, same bytes.
 
 #include <surefoot/io/mesh.h>
+#include <surefoot/motion/motion.h>
 #include <surefoot/rig/leg.h>
 
 namespace surefoot {
 
-/// Bound to the skeleton's rest pose, whatever that is; `legs` says where the soles are. Below 6,000 triangles, at most
-/// four weights a vertex. Needs roles.has_legs().
+/// For the skeleton of a clip: bound to the rest pose where that agrees with how the clip turns the joints, else to the
+/// pose of mannequin_bind_frame(). `legs` says where the soles are. Below 6,000 triangles, at most four weights a
+/// vertex. Needs roles.has_legs().
+Mesh make_mannequin(const Motion& motion, const RoleMap& roles, const Legs& legs);
+
+/// Bound to the rest pose, whatever that is.
 Mesh make_mannequin(const Skeleton& skeleton, const RoleMap& roles, const Legs& legs);
 
-/// The same, with the soles found from a pose that stands flat on y = 0, facing +Z (joint_count() model transforms).
+/// Bound to a pose given as joint_count() model transforms, whose torso is upright and faces where it likes.
+Mesh make_mannequin(const Skeleton& skeleton, const RoleMap& roles, const Legs& legs,
+                    std::span<const Transform> bind_models);
+
+/// Bound to a pose that stands flat on y = 0, from which the soles are found, too.
 Mesh make_mannequin(const Skeleton& skeleton, const RoleMap& roles, std::span<const Transform> standing_models);
+
+/// The frame with the straightest limbs where the rest pose cannot carry a skin: files without a real rest pose (BVH
+/// offsets, say) twist bones about themselves by half a turn, and a skin bound there would shrink to nothing at the
+/// joints. -1 where the rest pose is fine.
+int mannequin_bind_frame(const Motion& motion, const RoleMap& roles);
 
 }  // namespace surefoot

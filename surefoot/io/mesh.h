@@ -1,7 +1,7 @@
 #pragma once
 // Meshes as they are written to glTF.
 
-#include <surefoot/math/vec.h>
+#include <surefoot/math/transform.h>
 
 #include <array>
 #include <cstdint>
@@ -10,14 +10,16 @@
 
 namespace surefoot {
 
-/// A skinned mesh, in model space, bound to the skeleton's rest pose. Arrays of equal length; `indices` are triangles,
-/// counter-clockwise from outside.
+/// A skinned mesh, in model space, bound to the skeleton's rest pose or to the pose in `bind`. Arrays of equal length;
+/// `indices` are triangles, counter-clockwise from outside.
 struct Mesh {
     std::vector<Vec3> positions;                       ///< [m]
     std::vector<Vec3> normals;                         ///< unit
     std::vector<std::array<std::uint16_t, 4>> joints;  ///< indices of skeleton joints
     std::vector<std::array<float, 4>> weights;         ///< sum to 1; unused ones are 0
     std::vector<std::uint32_t> indices;
+    /// Model transforms of all joints in the pose that the vertices show; empty: the rest pose.
+    std::vector<Transform> bind;
 };
 
 /// A mesh that does not move, in world space: a terrain, a marker.

@@ -84,7 +84,7 @@ GaitParameters jog(float speed) {
     g.arm_out = 13;
     g.elbow = 80;
     g.elbow_swing = 12;
-    g.arm_twist = 24;
+    g.arm_twist = 16;
     return g;
 }
 

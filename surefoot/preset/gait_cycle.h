@@ -48,8 +48,8 @@ struct GaitParameters {
     float bank = 0.5f;       ///< share of the balanced lean into a turn, atan(speed * yaw rate / g)
     float trunk_yaw = 6;     ///< [deg] against the pelvis
     float look = 0.25f;      ///< [s] how far the head looks ahead into a turn
-    float arm_swing = 22;    ///< [deg] either way
-    float arm_bias = -2;     ///< [deg] forward
+    float arm_swing = 20;    ///< [deg] either way
+    float arm_bias = -4;     ///< [deg] forward
     float arm_out = 7;       ///< [deg] abduction
     float elbow = 18;        ///< [deg]
     float elbow_swing = 10;  ///< [deg] more when the arm is in front

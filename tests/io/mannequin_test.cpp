@@ -195,6 +195,34 @@ TEST(Mannequin, neither_tears_nor_collapses_at_a_bent_knee_and_a_raised_arm) {
     EXPECT_NEAR(volume(moved) / volume(mesh), 1, 0.06);
 }
 
+TEST(Mannequin, is_bound_to_the_clip_where_the_rest_pose_is_twisted) {
+    // A rest pose whose shanks are turned half around themselves against how the clip holds them: a skin bound to it
+    // would shrink to nothing at the knee.
+    Figure f = make_figure();
+    auto skeleton = std::make_shared<Skeleton>(f.skeleton);
+    Motion sound = make_motion(skeleton, "sound", 3, 30), twisted = sound;
+    const Quat half{0, 1, 0, 0};  // about the bone, which hangs down
+    for (Motion* m : {&sound, &twisted})
+        for (int frame = 0; frame < 3; ++frame)
+            m->frame(frame)[static_cast<std::size_t>(f.roles[Role::left_lower_leg])].rotation =
+                axis_angle({1, 0, 0}, 0.2f + 0.3f * static_cast<float>(frame == 0));
+    for (int frame = 0; frame < 3; ++frame) {
+        const auto pose = twisted.frame(frame);
+        for (Role role : {Role::left_lower_leg, Role::right_lower_leg}) {
+            Quat& q = pose[static_cast<std::size_t>(f.roles[role])].rotation;
+            q = q * half;
+        }
+    }
+    EXPECT_EQ(mannequin_bind_frame(sound, f.roles), -1);
+    EXPECT_EQ(mannequin_bind_frame(twisted, f.roles), 1);
+    const Legs legs = make_legs(f.skeleton, f.roles, f.models, 0);
+    EXPECT_TRUE(make_mannequin(sound, f.roles, legs).bind.empty());
+    const Mesh mesh = make_mannequin(twisted, f.roles, legs);
+    ASSERT_EQ(mesh.bind.size(), f.models.size());
+    EXPECT_NE(mesh.bind, f.models);
+    EXPECT_TRUE(is_closed(mesh));
+}
+
 TEST(Mannequin, is_the_same_every_time) {
     const Mesh a = mannequin_of(make_figure()), b = mannequin_of(make_figure());
     EXPECT_EQ(a.positions, b.positions);
