@@ -334,7 +334,7 @@ void Reader::pose_joint(const JointChannels& joint, std::span<const float> numbe
         if (number == 0) continue;
         double degrees = static_cast<double>(number);
         if (!(std::fabs(degrees) < k_largest_plain_angle)) degrees = std::fmod(degrees, 360.0);
-        const double half = degrees * k_half_radians_per_degree, s = sin(half), c = cos(half);
+        const auto [s, c] = sin_cos(degrees * k_half_radians_per_degree);
         // (x, y, z, w) times a rotation by 2 * half about one axis.
         const double a = x, b = y, d = z, e = w;
         if (kind == Channel::rotation_x) {

@@ -90,6 +90,20 @@ double atan_unit(double t) noexcept {
 
 double sin(double x) noexcept { return in_quadrant(reduce(x), 0); }
 double cos(double x) noexcept { return in_quadrant(reduce(x), 1); }
+SinCos sin_cos(double x) noexcept {
+    const Reduced r = reduce(x);
+    const double s = sin_core(r.angle), c = cos_core(r.angle);
+    switch (r.quadrant) {
+        case 0:
+            return {s, c};
+        case 1:
+            return {c, -s};
+        case 2:
+            return {-s, -c};
+        default:
+            return {-c, s};
+    }
+}
 double tan(double x) noexcept {
     const Reduced r = reduce(x);
     return in_quadrant(r, 0) / in_quadrant(r, 1);

@@ -15,6 +15,11 @@ inline constexpr float k_radians_per_degree = static_cast<float>(k_pi / 180.0);
 
 double sin(double x) noexcept;
 double cos(double x) noexcept;
+/// Both at little more than the price of one; the same bits as sin and cos.
+struct SinCos {
+    double sin, cos;
+};
+SinCos sin_cos(double x) noexcept;
 double tan(double x) noexcept;
 double asin(double x) noexcept;  ///< argument clamped to [-1, 1]
 double acos(double x) noexcept;  ///< argument clamped to [-1, 1]

@@ -6,6 +6,14 @@
 
 namespace {
 
+TEST(Trig, sin_cos_gives_the_bits_of_sin_and_cos) {
+    for (int i = -4000; i <= 4000; ++i) {
+        const double x = i * 0.0317;
+        EXPECT_EQ(surefoot::sin_cos(x).sin, surefoot::sin(x)) << x;
+        EXPECT_EQ(surefoot::sin_cos(x).cos, surefoot::cos(x)) << x;
+    }
+}
+
 TEST(Trig, sine_and_cosine_match_the_library_to_a_few_ulp) {
     for (double x = -50; x < 50; x += 0.00731) {
         EXPECT_NEAR(surefoot::sin(x), std::sin(x), 4e-16) << x;
