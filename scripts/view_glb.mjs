@@ -1,6 +1,6 @@
 #!/usr/bin/env node
-// Renders moments of .glb animations to one PNG: a row for each file and view, a column for each time. For developers
-// who want to look at what they made; the program itself needs none of this.
+// Renders moments of .glb animations to one picture (.png or .jpg): a row for each file and view, a column for each
+// time. For developers who want to look at what they made; the program itself needs none of this.
 //
 //   node scripts/view_glb.mjs IN.glb... OUT.png [--columns 8] [--views side,front,back,left,top,three] [--from 0] [--to 1]
 //                             [--size 220] [--span METRES] [--follow on|off] [--clip NAME] [--bones]
@@ -26,7 +26,8 @@ function parse(argv) {
     }
     if (files.length < 2) throw new Error('usage: view_glb.mjs IN.glb... OUT.png [options]; see the top of this file');
     for (const file of files.slice(0, -1)) if (!fs.existsSync(file)) throw new Error(`${file}: no such file`);
-    return { inputs: files.slice(0, -1), output: files.at(-1), page: { ...given, files: files.length - 1 } };
+    const type = /\.jpe?g$/.test(files.at(-1)) ? 'image/jpeg' : 'image/png';
+    return { inputs: files.slice(0, -1), output: files.at(-1), page: { ...given, files: files.length - 1, type } };
 }
 
 const types = { '.js': 'text/javascript', '.html': 'text/html', '.glb': 'model/gltf-binary' };

@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Makes the pictures of the documentation anew from the program's own clips. For developers: needs node, chromium, and
+# three and playwright-core (npm install --no-save three playwright-core; $VIEW_MODULES says where node_modules are).
+#
+#   scripts/make_pictures.sh [PROGRAM]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+program=${1:-build/release/surefoot}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+"$program" author --default -o "$work/project" >/dev/null
+clips=$work/project/clips
+mkdir -p docs/images
+node scripts/view_glb.mjs "$clips"/{walk,run,strafe_left}.glb docs/images/default_set.jpg \
+  --views three --columns 8 --size 150 --span 1.95
+node scripts/view_glb.mjs "$clips"/{idle,walk,jog,run,back,strafe_left,turn_left}.glb docs/images/contact_sheet.jpg \
+  --views side,front --columns 8 --size 130 --span 1.95
+ls -l docs/images
