@@ -141,7 +141,7 @@ void Sculptor::add_torso() {
     for (Role role : {Role::spine, Role::chest, Role::upper_chest})
         if (has(role) && dot(neck_base() - at(role), up_) > size(0.03f)) extend(at(role), roles_[role]);
     extend(neck_base(), roles_[Role::neck]);
-    const float to_neck = place;
+    const float to_neck = std::max(place, size(0.1f));
     if (has(Role::head)) extend(head_base(), roles_[Role::head]);
     const float neck_length = place > to_neck ? place - to_neck : size(0.05f);
     for (std::size_t i = 1; i < chain.links.size(); ++i) {
@@ -154,7 +154,7 @@ void Sculptor::add_torso() {
         float done = 0;
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
             const float gap = distance(points[i], points[i + 1]);
-            if (s <= done + gap) return lerp(points[i], points[i + 1], (s - done) / gap);
+            if (s <= done + gap && gap > 0) return lerp(points[i], points[i + 1], (s - done) / gap);
             done += gap;
         }
         return points.back() + up_ * (s - done);
@@ -225,7 +225,7 @@ void Sculptor::add_leg(Side side) {
     const auto origin = [&](int joint) { return bind_[static_cast<std::size_t>(joint)].translation; };
     const Vec3 hip = origin(leg.upper), knee = origin(leg.lower), ankle = origin(leg.foot);
     const Vec3 thigh = normalized(knee - hip, -k_up), shank = normalized(ankle - knee, -k_up);
-    const float a = distance(hip, knee), b = distance(knee, ankle);
+    const float a = std::max(distance(hip, knee), size(0.01f)), b = std::max(distance(knee, ankle), size(0.01f));
     const SkinChain chain{{{roles_[Role::hips], 0, 0},
                            {leg.upper, 0, size(0.045f)},
                            {leg.lower, a, size(0.042f)},
@@ -313,7 +313,7 @@ void Sculptor::add_arm(Side side) {
     const Vec3 upper = normalized(elbow - shoulder, left_);
     const Vec3 wrist = has(hand_role) ? at(hand_role) : elbow + upper * size(0.146f);
     const Vec3 lower = normalized(wrist - elbow, upper);
-    const float a = std::max(distance(shoulder, elbow), 1e-4f), b = std::max(distance(elbow, wrist), 1e-4f);
+    const float a = std::max(distance(shoulder, elbow), size(0.01f)), b = std::max(distance(elbow, wrist), size(0.01f));
     const int girdle = has(girdle_role) ? roles_[girdle_role] : chest_joint();
     SkinChain chain{{{girdle, 0, 0}, {roles_[upper_role], 0, size(0.036f)}, {roles_[lower_role], a, size(0.026f)}}};
     if (has(hand_role)) chain.links.push_back({roles_[hand_role], a + b, size(0.016f)});

@@ -1,3 +1,4 @@
+#include <surefoot/base/random.h>
 #include <surefoot/io/mannequin.h>
 
 #include <gtest/gtest.h>
@@ -221,6 +222,25 @@ TEST(Mannequin, is_bound_to_the_clip_where_the_rest_pose_is_twisted) {
     ASSERT_EQ(mesh.bind.size(), f.models.size());
     EXPECT_NE(mesh.bind, f.models);
     EXPECT_TRUE(is_closed(mesh));
+}
+
+TEST(Mannequin, stays_finite_and_closed_on_senseless_skeletons) {
+    Random random(11);
+    for (int round = 0; round < 60; ++round) {
+        Figure f = make_figure({.toes = random.below(2) == 0, .chest = random.below(2) == 0});
+        for (Transform& rest : f.skeleton.rest) {
+            const auto turn = [&] { return random.between(-3.0f, 3.0f); };
+            rest.rotation = from_rotation_vector({turn(), turn(), turn()});
+            if (random.below(4) == 0) rest.translation = {};
+            if (random.below(4) == 0) rest.translation = {turn(), turn(), turn()};
+        }
+        local_to_model(f.skeleton, f.skeleton.rest, f.models);
+        const Mesh mesh = mannequin_of(f);
+        EXPECT_TRUE(std::all_of(mesh.positions.begin(), mesh.positions.end(), [](Vec3 p) { return is_finite(p); }));
+        EXPECT_TRUE(std::all_of(mesh.normals.begin(), mesh.normals.end(),
+                                [](Vec3 n) { return std::fabs(length(n) - 1) < 1e-3f; }));
+        EXPECT_TRUE(is_closed(mesh)) << round;
+    }
 }
 
 TEST(Mannequin, is_the_same_every_time) {
