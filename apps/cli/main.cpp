@@ -9,6 +9,7 @@
 
 namespace surefoot::cli {
 // One per file beside this one.
+extern const Command k_analyze;
 extern const Command k_convert;
 extern const Command k_mirror, k_reverse, k_cut, k_resample, k_roles;
 extern const Command k_author, k_lint, k_walk;
@@ -22,8 +23,8 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
 
     std::function<int()> chosen;
-    const Command* commands[] = {&k_author,  &k_lint, &k_walk,     &k_convert, &k_mirror,
-                                 &k_reverse, &k_cut,  &k_resample, &k_roles};
+    const Command* commands[] = {&k_analyze, &k_author,  &k_lint, &k_walk,     &k_convert,
+                                 &k_mirror,  &k_reverse, &k_cut,  &k_resample, &k_roles};
     for (const Command* command : commands) {
         if (!command) continue;
         CLI::App* sub = app.add_subcommand(command->name, command->help);

@@ -1,0 +1,117 @@
+#include <surefoot/analysis/footing.h>
+#include <surefoot/analysis/signal.h>
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr float k_floor_band = 0.015f;     // [m] soles on one floor scatter by about this in motion capture
+constexpr float k_shin_slant = 0.16f;      // sine of 9 degrees: CMU's rest pose splays the legs by 20, a T-pose by none
+constexpr float k_sole_thickness = 0.05f;  // [m] toe joints of skinned rigs stand up to this above the floor at y = 0
+
+std::vector<Transform> rest_models(const Skeleton& skeleton) {
+    std::vector<Transform> models(skeleton.rest.size());
+    local_to_model(skeleton, skeleton.rest, models);
+    return models;
+}
+
+float lowest_of_foot(const Skeleton& skeleton, const std::vector<Transform>& models, int foot) {
+    float low = models[static_cast<std::size_t>(foot)].translation.y;
+    for (int j = foot; j < skeleton.joint_count(); ++j) {
+        if (!is_within(skeleton, j, foot)) continue;
+        const std::size_t i = static_cast<std::size_t>(j);
+        low = std::min({low, models[i].translation.y, transform_point(models[i], skeleton.tips[i]).y});
+    }
+    return low;
+}
+
+/// Does this pose show a character standing on two flat feet with upright shins?
+bool stands(const Skeleton& skeleton, const RoleMap& roles, const std::vector<Transform>& models, float& floor) {
+    const Role lower[2] = {Role::left_lower_leg, Role::right_lower_leg}, foot[2] = {Role::left_foot, Role::right_foot};
+    const Role upper[2] = {Role::left_upper_leg, Role::right_upper_leg}, toes[2] = {Role::left_toes, Role::right_toes};
+    const auto at = [&](Role role) { return models[static_cast<std::size_t>(roles[role])].translation; };
+    float low[2], leg = 0;
+    for (int s = 0; s < 2; ++s) {
+        const Vec3 shin = at(lower[s]) - at(foot[s]), thigh = at(upper[s]) - at(lower[s]);
+        leg = length(shin) + length(thigh);
+        if (!(leg > 0.05f) || planar_length(shin) > k_shin_slant * length(shin) || shin.y < 0 || thigh.y < 0)
+            return false;
+        if (!roles.has(toes[s])) return false;  // without a toe the rest pose does not show which way the foot points
+        const Vec3 instep = at(toes[s]) - at(foot[s]);
+        if (planar_length(instep) < 0.5f * length(instep) || instep.y > 0) return false;
+        low[s] = lowest_of_foot(skeleton, models, roles[foot[s]]);
+    }
+    if (std::fabs(low[0] - low[1]) > 0.02f * leg) return false;
+    floor = std::min(low[0], low[1]);
+    if (floor > -0.01f * leg && floor < k_sole_thickness * leg) floor = 0;
+    return true;
+}
+
+/// The frame in which a foot lies flattest: ankle and toes at the heights where they spend their standing time, and
+/// still. `rest_height` receives the height of the foot's lowest point there.
+int flattest_frame(const FootTrack& foot, float fps) {
+    const std::size_t n = foot.foot.size();
+    const float low = densest(foot.lowest, k_floor_band);
+    std::vector<float> ankle, toes, standing;
+    for (std::size_t f = 0; f < n; ++f) {
+        ankle.push_back(foot.foot[f].translation.y);
+        toes.push_back(foot.toes[f].translation.y);
+        if (std::fabs(foot.lowest[f] - low) < k_floor_band) standing.push_back(ankle.back());
+    }
+    // In a run the ankle stands highest at push-off; the flat foot is in the lower part of what it does on the ground.
+    const float ankle_height = percentile(standing, 0.25f);
+    const std::vector<float> ankle_speed = derivative(ankle, fps), toe_speed = derivative(toes, fps);
+    std::size_t best = 0;
+    float best_cost = 1e30f;
+    for (std::size_t f = 0; f < n; ++f) {
+        const float height = std::fabs(foot.lowest[f] - low) + 0.5f * std::fabs(ankle[f] - ankle_height);
+        const float cost = height + 0.05f * (std::fabs(ankle_speed[f]) + std::fabs(toe_speed[f]));
+        if (cost < best_cost) best = f, best_cost = cost;
+    }
+    return static_cast<int>(best);
+}
+
+std::vector<float> lowest_sole(const FootTrack& foot) {
+    std::vector<float> low;
+    for (std::size_t f = 0; f < foot.heel.size(); ++f)
+        low.push_back(std::min({foot.heel[f].y, foot.ball[f].y, foot.tip[f].y}));
+    return low;
+}
+
+}  // namespace
+
+Footing find_footing(const Motion& motion, const RoleMap& roles, const Tracks& tracks) {
+    Footing footing;
+    const Skeleton& skeleton = *motion.skeleton;
+    std::vector<Transform> models = rest_models(skeleton);
+    float rest_floor = 0;
+    if (stands(skeleton, roles, models, rest_floor)) {
+        footing.from_rest = true;
+        footing.legs = make_legs(skeleton, roles, models, rest_floor);
+        Tracks soles = tracks;
+        add_soles(soles, footing.legs);
+        std::vector<float> heights;
+        for (const FootTrack& foot : soles.foot) {
+            const std::vector<float> low = lowest_sole(foot);
+            heights.insert(heights.end(), low.begin(), low.end());
+        }
+        footing.floor = densest(heights, k_floor_band);
+    } else {
+        std::vector<float> heights;
+        for (const FootTrack& foot : tracks.foot) heights.insert(heights.end(), foot.lowest.begin(), foot.lowest.end());
+        footing.floor = densest(heights, k_floor_band);
+        for (std::size_t s = 0; s < 2; ++s) {
+            const int frame = flattest_frame(tracks.foot[s], tracks.fps);
+            world_pose(motion, frame, models);
+            const float own_floor = tracks.foot[s].lowest[static_cast<std::size_t>(frame)];
+            const Legs legs = make_legs(skeleton, roles, models, own_floor);
+            footing.legs.hips = legs.hips;
+            footing.legs.side[s] = legs.side[s];
+        }
+    }
+    if (std::fabs(footing.floor) < k_floor_band) footing.floor = 0;
+    return footing;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,29 @@
+#pragma once
+// How fast the ground runs under a clip whose hips do not travel: what the standing feet say.
+
+#include <surefoot/analysis/tracks.h>
+
+namespace surefoot {
+
+/// The character's motion over the ground, constant in the frame of the file.
+struct GroundMotion {
+    Vec3 velocity;       ///< [m/s] of the character's `centre`; y is 0
+    float turn = 0;      ///< [rad/s] to the left
+    Vec3 centre;         ///< [m] mean place of the hips on the ground; the rotation is about it
+    float coverage = 0;  ///< share of frames in which some sole point stands
+    float residual = 0;  ///< [m/s] weighted mean speed of standing points over the ground so found
+
+    float speed() const noexcept { return planar_length(velocity); }
+};
+
+/// Solves v = -(V + omega x r) over the standing sole points of both feet by iteratively reweighted least squares
+/// (weights fall with height, vertical speed and disagreement), then averages V evenly over time, not over samples, so
+/// that a pelvis that is slowest at mid-stance does not bias it. Needs soles and the ground at y = 0. In a clip with
+/// root motion the result is the slip of its feet.
+GroundMotion estimate_ground_motion(const Tracks& tracks, float leg_length);
+
+/// The path of a frame that starts at the origin and moves with constant velocity [m/s] and turn [rad/s] in its own
+/// space, about `centre`, sampled at `fps`: multiply a motion in place by it and it travels.
+std::vector<RootFrame> constant_path(const GroundMotion& motion, float fps, int frames);
+
+}  // namespace surefoot
