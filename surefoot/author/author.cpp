@@ -175,9 +175,12 @@ AuthorResult author_clips(std::span<const std::string> paths, const fs::path& fo
                                     ? failure.file + ": " + failure.error
                                     : failure.error);
     if (loaded.clips.empty()) {
-        const std::string where = paths.empty() ? std::string("CLIPS") : paths.front();
-        if (!result.failed.empty()) throw Error("no clip could be read (" + result.failed.front() + ")", where, {});
-        throw Error("there are no clips here", where, "give files or folders of .bvh, .glb, .gltf or .fbx");
+        if (result.failed.empty())
+            throw Error("there are no clips here", paths.empty() ? "CLIPS" : paths.front(),
+                        "give files or folders of .bvh, .glb, .gltf or .fbx");
+        const std::size_t others = result.failed.size() - 1;
+        throw Error(result.failed.front() + (others > 0 ? fmt::format(" (and {} more could not be read)", others) : ""),
+                    {}, {});
     }
     return build(std::move(loaded.clips), folder, options, std::move(result));
 }

@@ -1,5 +1,6 @@
 #include <surefoot/author/gather.h>
 #include <surefoot/author/place.h>
+#include <surefoot/author/pose_distance.h>
 #include <surefoot/base/error.h>
 #include <surefoot/host/parallel.h>
 #include <surefoot/host/progress.h>
@@ -33,6 +34,11 @@ ProjectClip left_out(const AnalyzedClip& clip, std::string reason) {
     return result;
 }
 
+std::string closing_text(const ClipFacts& facts) {
+    return fmt::format("loop closed (seam {:.1f} cm, no joint moved by more than {:.1f} cm)", 100 * facts.seam,
+                       100 * facts.closing);
+}
+
 /// A loop whose ends do not quite meet is closed.
 void close(Candidate& candidate) {
     constexpr float k_visible_seam = 1e-3f;  // [m]
@@ -43,9 +49,7 @@ void close(Candidate& candidate) {
     facts.seam_speed = closing.seam_speed;
     facts.closing = closing.added;
     facts.loop_error = 0;
-    candidate.provenance.push_back(fmt::format(
-        "loop closed: a seam of {:.1f} cm was spread over the cycle, moving no joint by more than {:.1f} cm",
-        100 * closing.seam, 100 * closing.added));
+    candidate.provenance.push_back(closing_text(facts));
 }
 
 Measured measure(LoadedClip loaded, const RoleOverrides& overrides) {
@@ -74,11 +78,7 @@ Measured measure(LoadedClip loaded, const RoleOverrides& overrides) {
             if (single) facts.name = clip.facts.name;
             candidate.provenance.push_back(
                 fmt::format("cut from frames {} to {}", candidate.clip.source_first, candidate.clip.source_last));
-            if (facts.seam > 0)
-                candidate.provenance.push_back(
-                    fmt::format("loop closed: a seam of {:.1f} cm was spread over the cycle, moving no joint by more "
-                                "than {:.1f} cm",
-                                100 * facts.seam, 100 * facts.closing));
+            if (facts.seam > 0) candidate.provenance.push_back(closing_text(facts));
             close(candidate);
             result.kept.push_back(std::move(candidate));
         }
@@ -108,29 +108,66 @@ void keep_one_skeleton(Gathered& gathered) {
             kept.push_back(std::move(gathered.kept[i]));
             continue;
         }
+        const Skeleton &own = *skeletons[of[i]], &chosen = *skeletons[most];
         gathered.left_out.push_back(left_out(
             gathered.kept[i].clip,
-            fmt::format("it moves another skeleton ({} joints) than the {} clips of the space ({} joints); retarget it",
-                        skeletons[of[i]]->joint_count(), count[most], skeletons[most]->joint_count())));
+            own.names == chosen.names
+                ? fmt::format("its skeleton has other bone lengths than that of the {} clips in use", count[most])
+                : fmt::format("it moves another skeleton ({} joints) than the {} clips in use ({} joints)",
+                              own.joint_count(), count[most], chosen.joint_count())));
     }
     gathered.kept = std::move(kept);
 }
 
 /// Percent of an axis' range below which a cycle cut from a take adds nothing to one that loops better.
-constexpr double k_same_place = 3;
+constexpr double k_same_place = 4;
+
+/// Places of clips in percent, each in the space that it will go to.
+class Places {
+  public:
+    explicit Places(const std::vector<Candidate>& clips) : clips_(clips) {
+        for (int k = 0; k < 4; ++k) {
+            std::vector<float> values;
+            for (const Candidate& candidate : clips) values.push_back(value(candidate, k));
+            Axis axis = make_axis(k_names[k]);
+            set_limits(axis, values);
+            range_[k] = static_cast<double>(axis.high) - axis.low;
+        }
+    }
+    /// Infinite for clips of different spaces.
+    double distance(std::size_t a, std::size_t b) const {
+        const bool facing = is_facing(clips_[a].clip.facts);
+        if (facing != is_facing(clips_[b].clip.facts)) return 1e300;
+        double square = 0;
+        for (int k = facing ? 0 : 2; k < (facing ? 2 : 4); ++k) {
+            const double delta = 100 * (static_cast<double>(value(clips_[a], k)) - value(clips_[b], k)) / range_[k];
+            square += delta * delta;
+        }
+        return std::sqrt(square);
+    }
+
+  private:
+    static constexpr const char* k_names[4] = {"speed", "turn", "forward", "lateral"};
+    static float value(const Candidate& candidate, int axis) { return axis_value(candidate.clip.facts, k_names[axis]); }
+    const std::vector<Candidate>& clips_;
+    double range_[4];
+};
+
+/// Takes out the clips that have a reason to be.
+void leave_out(Gathered& gathered, const std::vector<std::string>& reason) {
+    std::vector<Candidate> kept;
+    for (std::size_t i = 0; i < gathered.kept.size(); ++i) {
+        if (reason[i].empty())
+            kept.push_back(std::move(gathered.kept[i]));
+        else
+            gathered.left_out.push_back(left_out(gathered.kept[i].clip, reason[i]));
+    }
+    gathered.kept = std::move(kept);
+}
 
 /// Of cycles that takes hold at nearly the same place, the best-looping stays.
-void thin(Gathered& gathered) {
-    std::vector<float> values[4];
-    const char* names[4] = {"speed", "turn", "forward", "lateral"};
-    double range[4];
-    for (int k = 0; k < 4; ++k) {
-        for (const Candidate& candidate : gathered.kept)
-            values[k].push_back(axis_value(candidate.clip.facts, names[k]));
-        Axis axis = make_axis(names[k]);
-        set_limits(axis, values[k]);
-        range[k] = static_cast<double>(axis.high) - axis.low;
-    }
+void thin_cycles(Gathered& gathered) {
+    const Places places(gathered.kept);
     const std::size_t count = gathered.kept.size();
     std::vector<std::size_t> order(count);
     for (std::size_t i = 0; i < count; ++i) order[i] = i;
@@ -142,29 +179,55 @@ void thin(Gathered& gathered) {
     std::vector<std::size_t> chosen;
     std::vector<std::string> reason(count);
     for (const std::size_t i : order) {
-        if (gathered.kept[i].cut_from_take)
+        if (gathered.kept[i].cut_from_take && !is_idle(gathered.kept[i].clip.facts))
             for (const std::size_t other : chosen) {
-                double square = 0;
-                for (int k = 0; k < 4; ++k) {
-                    const double delta = 100 * (static_cast<double>(values[k][i]) - values[k][other]) / range[k];
-                    // Speed says the same as forward and lateral together, but for its sign.
-                    if (k > 0) square += delta * delta;
-                }
-                if (std::sqrt(square) >= k_same_place) continue;
+                if (places.distance(i, other) >= k_same_place) continue;
                 reason[i] =
                     fmt::format("it does what \"{}\" does, which loops better", gathered.kept[other].clip.facts.name);
                 break;
             }
         if (reason[i].empty()) chosen.push_back(i);
     }
-    std::vector<Candidate> kept;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (reason[i].empty())
-            kept.push_back(std::move(gathered.kept[i]));
+    leave_out(gathered, reason);
+}
+
+bool says_idle(std::string name) {
+    for (char& c : name)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return name.find("idle") != std::string::npos || name.find("stand") != std::string::npos;
+}
+
+/// All clips that stand share the origin of a space, where one of them can be: the one whose pose is nearest to those
+/// of the moving clips. The others are for states of their own.
+void keep_one_idle(Gathered& gathered) {
+    std::vector<std::size_t> idles;
+    std::vector<PoseTable> moving;
+    const auto table = [](const Candidate& candidate) {
+        return make_pose_table(candidate.clip.motion, candidate.clip.facts, candidate.clip.roles.roles);
+    };
+    for (std::size_t i = 0; i < gathered.kept.size(); ++i) {
+        if (is_idle(gathered.kept[i].clip.facts))
+            idles.push_back(i);
         else
-            gathered.left_out.push_back(left_out(gathered.kept[i].clip, reason[i]));
+            moving.push_back(table(gathered.kept[i]));
     }
-    gathered.kept = std::move(kept);
+    if (idles.size() < 2) return;
+    constexpr double k_name_bonus = 0.05;  // [m] that a clip called idle may be farther away
+    std::size_t best = idles.front();
+    double least = 1e300;
+    for (const std::size_t i : idles) {
+        const PoseTable own = table(gathered.kept[i]);
+        double apart = says_idle(gathered.kept[i].clip.facts.name) ? 0 : k_name_bonus;
+        for (const PoseTable& other : moving) apart += pose_distance(own, other) / static_cast<double>(moving.size());
+        if (apart < least) least = apart, best = i;
+    }
+    std::vector<std::string> reason(gathered.kept.size());
+    for (const std::size_t i : idles)
+        if (i != best)
+            reason[i] = fmt::format(
+                "it stands, as \"{}\" does, whose pose is nearer to the moving clips; a space has room for one idle",
+                gathered.kept[best].clip.facts.name);
+    leave_out(gathered, reason);
 }
 
 void name_clips(Gathered& gathered) {
@@ -202,7 +265,8 @@ Gathered gather(std::vector<LoadedClip> clips, const RoleOverrides& overrides) {
     }
     keep_one_skeleton(gathered);
     name_clips(gathered);
-    thin(gathered);
+    thin_cycles(gathered);
+    keep_one_idle(gathered);
     std::sort(gathered.left_out.begin(), gathered.left_out.end(),
               [](const ProjectClip& a, const ProjectClip& b) { return a.name < b.name; });
     return gathered;

@@ -34,8 +34,11 @@ void lint_clip(LintContext& context, const ProjectClip& clip) {
                                       clip.name),
                           "remove", "leave the clip out, or check its roles and its ground"));
 
-    // A closed cycle has no seam left: what it was before closing is in its facts, but nobody sees it any more.
-    const double seam_cm = 100.0 * facts.loop_error, jolt_cm = facts.loop_error > 0 ? 100.0 * facts.seam_speed : 0;
+    // A closed cycle has no seam left: what it was before closing is in its facts, but nobody sees it any more. (Its
+    // speed there still differs from one frame to the next, as it does at any foot strike.)
+    constexpr float k_closed = 1e-3f;  // [m]
+    const double seam_cm = 100.0 * facts.loop_error;
+    const double jolt_cm = facts.loop_error > k_closed ? 100.0 * facts.seam_speed : 0;
     if (facts.cyclic &&
         (seam_cm > context.threshold("loop-pop", "seam") || jolt_cm > context.threshold("loop-pop", "speed")))
         context.add(about("loop-pop", clip,

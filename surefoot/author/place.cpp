@@ -13,9 +13,10 @@ namespace {
 
 bool is_standing(const ClipFacts& facts) { return std::fabs(facts.speed) < k_standing_speed; }
 
-bool is_facing(const ClipFacts& facts) {
-    const float off = std::fabs(facts.travel);
-    return is_standing(facts) || off <= k_facing_travel || off >= 180 - k_facing_travel;
+/// Below this a turn may be measurement: in-place clips give up their turn to within 8 deg/s walking and 30 running.
+float turn_doubt(const ClipFacts& facts) {
+    constexpr float k_running = 2.5f, k_doubt_running = 30;  // [m/s], [deg/s]
+    return facts.in_place && std::fabs(facts.speed) > k_running ? k_doubt_running : k_standing_turn;
 }
 
 std::vector<Axis> parse_axes(const std::string& text) {
@@ -58,7 +59,10 @@ void drop_flat_axis(std::vector<Axis>& axes, const Project& project, const std::
     const float first = largest(values_of(project, clips, axes[0].name));
     const float second = largest(values_of(project, clips, axes[1].name));
     if (axes[0].name == "speed") {
-        if (second < k_standing_turn)
+        const bool turns = std::any_of(clips.begin(), clips.end(), [&](int c) {
+            return std::fabs(project.clips[c].facts.turn) >= turn_doubt(project.clips[c].facts);
+        });
+        if (!turns)
             axes.pop_back();
         else if (first < k_standing_speed)
             axes.erase(axes.begin());
@@ -124,6 +128,11 @@ ProjectSpace build_space(const Project& project, std::string name, std::vector<A
 }
 
 }  // namespace
+
+bool is_facing(const ClipFacts& facts) {
+    const float off = std::fabs(facts.travel);
+    return is_standing(facts) || off <= k_facing_travel || off >= 180 - k_facing_travel;
+}
 
 bool is_idle(const ClipFacts& facts) { return is_standing(facts) && std::fabs(facts.turn) < k_standing_turn; }
 

@@ -22,6 +22,9 @@ inline constexpr float k_standing_turn = 10;  ///< [deg/s] below it a clip does 
 /// Neither travels nor turns.
 bool is_idle(const ClipFacts& facts);
 
+/// Travels roughly where it faces, or straight back, or not at all.
+bool is_facing(const ClipFacts& facts);
+
 /// The value of a clip on an axis: "speed", "turn", "forward", "lateral", "slope". NaN for other names.
 float axis_value(const ClipFacts& facts, std::string_view axis);
 

@@ -411,9 +411,11 @@ std::string project_json(const Project& project) {
     for (const Placeholder& placeholder : project.placeholders) json["placeholders"].push_back(to_json(placeholder));
     json["clips"] = Json::array();
     for (const ProjectClip& clip : project.clips) json["clips"].push_back(to_json(clip));
-    if (!project.unknown.empty())
-        for (const auto& [key, value] : Json::parse(project.unknown).items())
+    if (!project.unknown.empty()) {
+        const Json unknown = Json::parse(project.unknown);
+        for (const auto& [key, value] : unknown.items())
             if (!json.contains(key)) json[key] = value;
+    }
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

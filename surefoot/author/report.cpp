@@ -176,8 +176,9 @@ std::string clip_row(std::size_t index, const ProjectClip& clip) {
     std::string history;
     for (const std::string& step : clip.provenance) history += (history.empty() ? "" : "; ") + step;
     if (!clip.pins.empty()) history += std::string(history.empty() ? "" : "; ") + "placed by hand";
-    return html + fmt::format("<td class=\"w\">{}{}{}</td></tr>\n", escaped(clip.source), history.empty() ? "" : ": ",
-                              escaped(history));
+    const std::string file = clip.source.substr(clip.source.find_last_of('/') + 1);  // npos + 1 is 0
+    return html + fmt::format("<td class=\"w\" title=\"{}\">{}{}{}</td></tr>\n", escaped(clip.source), escaped(file),
+                              history.empty() ? "" : ": ", escaped(history));
 }
 
 std::string clips_section(const Project& project) {

@@ -38,7 +38,7 @@ svg.space { display: block; width: 100%; height: auto; }
 .triangle { fill: var(--mesh); stroke: var(--edge); stroke-width: 1.2; stroke-linejoin: round; }
 .acute { fill: var(--acute); fill-opacity: .55; stroke: var(--warning); stroke-width: 1.6; stroke-linejoin: round; }
 .crossing { stroke: var(--error); stroke-width: 2.6; } .cross { stroke: var(--error); stroke-width: 3; stroke-linecap: round; }
-.opposite { stroke: var(--error); stroke-width: 3.2; stroke-dasharray: 1.5 6; stroke-linecap: round; }
+.opposite { stroke: var(--error); stroke-width: 11; stroke-opacity: .22; stroke-linecap: round; }
 .dissimilar { stroke: var(--info); stroke-width: 2; stroke-dasharray: 9 4 2 4; }
 .close { fill: var(--close); fill-opacity: .13; stroke: var(--close); stroke-width: 1.8; stroke-dasharray: 5 3; }
 .misaligned { fill: none; stroke: var(--warning); stroke-width: 2.2; }

@@ -208,6 +208,11 @@ class Chart {
     }
 
     void edges_of_findings() {
+        segments_.push_back({px(0), py(low_y_), px(0), py(high_y_)});
+        segments_.push_back({px(low_x_), py(0), px(high_x_), py(0)});
+        // Broad bands first, so that an edge which also crosses an axis shows both.
+        for (const Finding& finding : project_.findings)
+            if (finding.rule == "opposite-directions") edge_of(finding, "opposite");
         for (const Finding& finding : project_.findings) {
             const bool crossing = finding.rule == "crossing-axis", opposite = finding.rule == "opposite-directions",
                        dissimilar = finding.rule == "dissimilar-neighbours";
@@ -228,6 +233,14 @@ class Chart {
         }
     }
 
+    bool edge_of(const Finding& finding, const char* style) {
+        if (finding.space != space_.name || finding.clips.size() != 2) return false;
+        const int a = sample_named(finding.clips[0]), b = sample_named(finding.clips[1]);
+        if (a < 0 || b < 0) return false;
+        line(style, sample_x(a), sample_y(a), sample_x(b), sample_y(b));
+        return true;
+    }
+
     void close_pairs() {
         for (const Finding& finding : project_.findings) {
             if (finding.space != space_.name || finding.clips.size() != 2) continue;
@@ -235,7 +248,7 @@ class Chart {
             const int a = sample_named(finding.clips[0]), b = sample_named(finding.clips[1]);
             if (a < 0 || b < 0) continue;
             const double x0 = sample_x(a), y0 = sample_y(a), x1 = sample_x(b), y1 = sample_y(b);
-            const double dx = x1 - x0, dy = y1 - y0, length = std::sqrt(dx * dx + dy * dy), pad = k_mark + 6;
+            const double dx = x1 - x0, dy = y1 - y0, length = std::sqrt(dx * dx + dy * dy), pad = k_mark + 4;
             add(
                 fmt::format("<rect class=\"close\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
                             "rx=\"{:.1f}\" transform=\"translate({:.1f} {:.1f}) rotate({:.1f})\"/>\n",

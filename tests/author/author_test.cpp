@@ -1,0 +1,205 @@
+#include "support.h"
+
+#include <surefoot/author/author.h>
+#include <surefoot/author/report.h>
+#include <surefoot/base/error.h>
+#include <surefoot/host/files.h>
+#include <surefoot/host/parallel.h>
+#include <surefoot/io/load.h>
+#include <surefoot/preset/default_set.h>
+#include <tests/support/motion_data.h>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <set>
+
+namespace surefoot {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that is there for one test.
+class Folder {
+  public:
+    Folder() {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        path = fs::temp_directory_path() / ("surefoot_" + std::string(test->name()));
+        fs::remove_all(path);
+        fs::create_directories(path);
+    }
+    ~Folder() { fs::remove_all(path); }
+    fs::path path;
+};
+
+std::map<std::string, std::string> contents(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) files[fs::relative(entry.path(), folder).string()] = read_file(entry.path());
+    return files;
+}
+
+AuthorOptions plain() {
+    AuthorOptions options;
+    options.name = "test";
+    options.mannequin = false;
+    return options;
+}
+
+TEST(author, the_default_set_becomes_a_project_whose_every_file_is_there) {
+    Folder folder;
+    const AuthorResult result = author_motions(make_default_set().clips, folder.path, plain());
+    const Project project = load_project(folder.path);
+    EXPECT_TRUE(project == result.project);
+    ASSERT_NE(project.find_space("facing"), nullptr);
+    ASSERT_NE(project.find_space("lateral"), nullptr);
+    EXPECT_EQ(project.find_space("facing")->space.dimensions(), 2);
+    int used = 0;
+    for (const ProjectClip& clip : project.clips) {
+        if (clip.excluded) continue;
+        ++used;
+        const std::string file = (folder.path / clip.file).string();
+        const LoadResult loaded = load_clips({&file, 1});
+        ASSERT_EQ(loaded.clips.size(), 1u) << clip.name;
+        EXPECT_EQ(loaded.clips[0].motion.frame_count(), clip.facts.frames) << clip.name;
+        EXPECT_EQ(loaded.clips[0].motion.cyclic, clip.facts.cyclic) << clip.name;
+        EXPECT_NE(loaded.clips[0].extras.find("provenance"), std::string::npos) << clip.name;
+    }
+    EXPECT_GE(used, 14);
+    EXPECT_NE(read_file(folder.path / "report.html").find("</html>"), std::string::npos);
+}
+
+TEST(author, the_bytes_do_not_depend_on_the_thread_count) {
+    Folder folder;
+    std::map<std::string, std::string> first;
+    for (const int threads : {1, 8}) {
+        set_thread_count(threads);
+        const fs::path out = folder.path / std::to_string(threads);
+        author_motions(make_default_set().clips, out, plain());
+        if (threads == 1)
+            first = contents(out);
+        else
+            EXPECT_EQ(contents(out), first);
+    }
+    set_thread_count(0);
+    EXPECT_GT(first.size(), 10u);
+}
+
+TEST(author, running_again_keeps_what_the_user_pinned) {
+    Folder folder;
+    author_motions(make_default_set().clips, folder.path, plain());
+    Project project = load_project(folder.path);
+    project.name = "kept name";
+    project.clips[project.find_clip("walk_left")].excluded = true;
+    project.clips[project.find_clip("walk_left")].excluded_by_user = true;
+    project.clips[project.find_clip("walk_left")].reason = "ugly";
+    project.clips[project.find_clip("run")].pins = {{"facing", {5.5f, 0}}};
+    project.lint["uncovered"].enabled = false;
+    project.spaces[0].axes_pinned = true;
+    project.spaces[0].space.axes[0].high = 8;
+    project.unknown = R"({"note":"mine"})";
+    // The user marks clips as excluded in the list only; their samples go with the next run.
+    const int out = project.find_clip("walk_left");
+    project.clips[out].file = "clips/walk_left.glb";
+    save_project(folder.path / "project.json", project);
+
+    AuthorOptions options = plain();
+    options.name.clear();
+    author_motions(make_default_set().clips, folder.path, options);
+    const Project again = load_project(folder.path);
+    EXPECT_EQ(again.name, "kept name");
+    const ProjectClip& left = again.clips[again.find_clip("walk_left")];
+    EXPECT_TRUE(left.excluded && left.excluded_by_user);
+    EXPECT_EQ(left.reason, "ugly");
+    EXPECT_FALSE(fs::exists(folder.path / "clips/walk_left.glb"));
+    const ProjectSpace& facing = *again.find_space("facing");
+    for (std::size_t i = 0; i < facing.clips.size(); ++i) {
+        EXPECT_NE(again.clips[facing.clips[i]].name, "walk_left");
+        if (again.clips[facing.clips[i]].name == "run") {
+            EXPECT_EQ(facing.space.samples[i][0], 5.5f);
+        }
+    }
+    EXPECT_EQ(facing.space.axes[0].high, 8);
+    EXPECT_NE(again.unknown.find("mine"), std::string::npos);
+    for (const Finding& finding : again.findings) EXPECT_NE(finding.rule, "uncovered");
+    const auto before = contents(folder.path);
+    author_motions(make_default_set().clips, folder.path, options);
+    EXPECT_EQ(contents(folder.path), before) << "a third run changes nothing";
+}
+
+std::string message_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(author, what_cannot_be_authored_is_said_in_so_many_words_and_leaves_no_project) {
+    Folder folder;
+    const fs::path empty = folder.path / "empty", out = folder.path / "out";
+    fs::create_directories(empty);
+    const std::string none[] = {empty.string()};
+    EXPECT_NE(message_of([&] { author_clips(none, out, plain()); }).find("no clips in this folder"), std::string::npos);
+
+    // A skeleton without legs.
+    auto pole = std::make_shared<Skeleton>();
+    pole->add("root", k_no_joint, {});
+    Transform up;
+    up.translation = {0, 1, 0};
+    pole->add("tip", 0, up);
+    const std::string legless = message_of([&] { author_motions({make_motion(pole, "pole", 30, 30)}, out, plain()); });
+    EXPECT_NE(legless.find("leg"), std::string::npos) << legless;
+    EXPECT_FALSE(fs::exists(out / "project.json"));
+}
+
+TEST(author, identical_clips_are_authored_and_said_to_be_so) {
+    Folder folder;
+    const std::vector<Motion> set = make_default_set().clips;
+    const auto walk = std::find_if(set.begin(), set.end(), [](const Motion& m) { return m.name == "walk"; });
+    ASSERT_NE(walk, set.end());
+    const AuthorResult result = author_motions({*walk, *walk, *walk}, folder.path, plain());
+    std::set<std::string> names, rules;
+    for (const ProjectClip& clip : result.project.clips) names.insert(clip.name);
+    EXPECT_EQ(names.size(), 3u);
+    for (const Finding& finding : result.project.findings) rules.insert(finding.rule);
+    EXPECT_TRUE(rules.count("degenerate-space"));
+    EXPECT_TRUE(rules.count("duplicate"));
+}
+
+TEST(author, a_damaged_project_is_not_overwritten) {
+    Folder folder;
+    write_file(folder.path / "project.json", "{\"surefoot_project\": 1, \"clips\": 7}");
+    EXPECT_NE(message_of([&] { author_motions(make_default_set().clips, folder.path, plain()); }).find("/clips"),
+              std::string::npos);
+    EXPECT_EQ(read_file(folder.path / "project.json"), "{\"surefoot_project\": 1, \"clips\": 7}");
+}
+
+TEST(author, real_game_clips_without_turns_make_a_line_and_name_what_opens_the_plane) {
+    SUREFOOT_NEED_MOTION_DATA(motion);
+    Folder folder;
+    const std::string paths[] = {(motion / "ual1_locomotion_glb/UAL1_50clips_mannequin.glb").string()};
+    const AuthorResult result = author_clips(paths, folder.path, plain());
+    std::set<std::string> used;
+    for (const ProjectClip& clip : result.project.clips) {
+        if (clip.excluded) {
+            EXPECT_FALSE(clip.reason.empty()) << clip.name;
+        } else {
+            used.insert(clip.name);
+        }
+    }
+    EXPECT_TRUE(used.count("Walk_Loop") && used.count("Walk_Formal_Loop") && used.count("Jog_Fwd_Loop"));
+    EXPECT_FALSE(used.count("Sword_Attack") || used.count("Death01") || used.count("Roll"));
+    const ProjectSpace* facing = result.project.find_space("facing");
+    ASSERT_NE(facing, nullptr);
+    EXPECT_EQ(facing->space.dimensions(), 1);
+    bool opens = false;
+    for (const Placeholder& p : result.project.placeholders)
+        opens |= p.rule == "degenerate-space" && p.axes.size() == 2;
+    EXPECT_TRUE(opens);
+}
+
+}  // namespace
+}  // namespace surefoot
