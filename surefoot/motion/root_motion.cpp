@@ -170,7 +170,10 @@ void extract_root_motion(Motion& motion, const RoleMap& roles, const RootMotionO
     if (intervals < 1) {
         write(0, track.x[0], 0, track.z[0], track.yaw[0]);
     } else {
-        const double sigma = std::fmax(1e-3, static_cast<double>(options.smoothing) * static_cast<double>(motion.fps));
+        // The widest kernel: 0.35 s at 2,800 frames a second. Files that claim a million must not cost hours.
+        constexpr double k_most_frames = 1000;
+        const double sigma = std::fmin(
+            k_most_frames, std::fmax(1e-3, static_cast<double>(options.smoothing) * static_cast<double>(motion.fps)));
         const Filter filter{sigma, motion.cyclic, intervals};
         const std::vector<double> yaw = filter.frames(track.yaw);
         const std::vector<Planar> path = smooth_path(track, yaw, filter);

@@ -121,5 +121,17 @@ TEST(low_passed_root, clips_of_one_and_two_frames_are_handled) {
     }
 }
 
+TEST(low_passed_root, an_absurd_frame_rate_costs_no_more_than_a_long_window) {
+    const Walker walker;
+    Motion clip = walker.walk(1.4f, 20.0f, 2.0f);
+    clip.fps = 1e9f;
+    for (const bool cyclic : {false, true}) {
+        Motion fast = clip;
+        fast.cyclic = cyclic;
+        extract_root_motion(fast, walker.roles);
+        EXPECT_EQ(problem(fast), "");
+    }
+}
+
 }  // namespace
 }  // namespace surefoot
