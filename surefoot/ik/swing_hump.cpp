@@ -39,8 +39,9 @@ Place locate(double s) noexcept {
 }
 
 double spline(const Controls& c, double s) noexcept {
-    const auto [i, t] = locate(s);
-    const auto at = [&](int k) { return c[static_cast<std::size_t>(i + k)]; };
+    const Place place = locate(s);
+    const double t = place.t;
+    const auto at = [&](int k) { return c[static_cast<std::size_t>(place.span + k)]; };
     const double r = 1 - t;
     return (r * r * r * at(0) + (3 * t * t * t - 6 * t * t + 4) * at(1) +
             (-3 * t * t * t + 3 * t * t + 3 * t + 1) * at(2) + t * t * t * at(3)) /
@@ -48,8 +49,9 @@ double spline(const Controls& c, double s) noexcept {
 }
 
 double spline_slope(const Controls& c, double s) noexcept {
-    const auto [i, t] = locate(s);
-    const auto at = [&](int k) { return c[static_cast<std::size_t>(i + k)]; };
+    const Place place = locate(s);
+    const double t = place.t;
+    const auto at = [&](int k) { return c[static_cast<std::size_t>(place.span + k)]; };
     const double r = 1 - t;
     return (-r * r * at(0) + (3 * t * t - 4 * t) * at(1) + (-3 * t * t + 2 * t + 1) * at(2) + t * t * at(3)) / 2 *
            k_hump_spans;

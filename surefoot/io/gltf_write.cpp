@@ -54,7 +54,7 @@ class Writer {
     Json json_;
     std::string binary_;
     std::vector<int> joint_nodes_;
-    int root_node_ = -1, mesh_node_ = -1;
+    int root_node_ = -1;
 };
 
 int Writer::add_view(const void* data, std::size_t size, int target) {
