@@ -70,8 +70,11 @@ std::vector<Wanted> find_files(const std::string& given) {
 /// FILE#NAME, or else FILE#3 where no clip has that for a name.
 std::vector<LoadedClip> pick_clip(std::vector<LoadedClip> clips, const Wanted& wanted) {
     const std::string& pick = *wanted.pick;
-    for (LoadedClip& clip : clips)
-        if (clip.motion.name == pick || clip.file == wanted.as_given) return {std::move(clip)};
+    // By the name we give it, or by the one it has in the file ("Armature|Walk" for Walk).
+    const std::string cleaned = is_generic_clip_name(pick) ? pick : clip_name(pick, wanted.path);
+    for (const std::string& name : {pick, cleaned})
+        for (LoadedClip& clip : clips)
+            if (clip.motion.name == name) return {std::move(clip)};
     const bool number = !pick.empty() && pick.size() < 7 && pick.find_first_not_of("0123456789") == std::string::npos;
     if (number && static_cast<std::size_t>(std::stoi(pick)) < clips.size())
         return {std::move(clips[static_cast<std::size_t>(std::stoi(pick))])};

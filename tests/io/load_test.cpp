@@ -56,7 +56,7 @@ TEST_F(Load, a_folder_gives_its_clips_sorted_with_unique_names) {
 }
 
 TEST_F(Load, one_clip_of_a_file_is_picked_by_name_or_number) {
-    for (const char* pick : {"many.glb#walk", "many.glb#1"}) {
+    for (const char* pick : {"many.glb#walk", "many.glb#1", "many.glb#Armature|walk"}) {
         const LoadResult result = load(pick);
         ASSERT_EQ(result.clips.size(), 1u) << pick;
         EXPECT_EQ(result.clips[0].motion.name, "walk");
