@@ -13,8 +13,8 @@ constexpr float k_overhang = 1.12f;       // the sole counts as reaching this mu
 constexpr float k_toe_weight = 0.35f;     // missing support under the toe tip counts less
 constexpr float k_protrusion = 3;         // ground that stands into the sole counts more than ground missing below
 constexpr float k_toe_protrusion = 0.6f;  // but less under the toes, which bend
-constexpr float k_worst_gap = 6, k_worst_wall = 10;
-constexpr float k_wall_weight = 0.1f;  // of ground just ahead of the toe or behind the heel
+constexpr float k_worst_gap = 10, k_worst_wall = 10;
+constexpr float k_wall_weight = 0.05f;  // of ground just ahead of the toe or behind the heel
 constexpr float k_along_scale = 6, k_across_scale = 3;
 constexpr float k_steep_deg = 35, k_steep_scale_deg = 5;
 constexpr float k_plain_cost = 0.02f;  // the ground is plain here: no search
