@@ -48,13 +48,20 @@ struct Forecast {
 /// Asks the preview and finds the contacts.
 void look_ahead(const FootRig& rig, double clock, const LegPreview& preview, Forecast& forecast) noexcept;
 
-/// Where a foot goes: its ankle, and the rotation to put on top of the clip's.
+/// From 0 to 1 with slope and curvature 0 at both ends, for x in [0, 1].
+constexpr float smootherstep(float x) noexcept { return x * x * x * (10 + x * (-15 + 6 * x)); }
+
+/// Where a foot goes: its ankle, and the rotations to put on top of the clip's.
 struct PlacedFoot {
     Vec3 ankle;
     Quat tilt;
     float uneven = 0;  ///< as Plant::uneven
+    Quat toes_tilt;    ///< the same as `tilt` but for a risen heel
 };
-PlacedFoot place_foot(const FootState& foot, double clock, const LegPoints& points, float leg_length) noexcept;
+PlacedFoot place_foot(const FootState& foot, double clock, const LegPoints& points, const Leg& leg) noexcept;
+/// Its parts: the blend of two plants with the heel's rise, and what replanning left over.
+PlacedFoot blend_plants(const FootState& foot, double clock, const LegPoints& points, const Leg& leg) noexcept;
+Vec3 fade_offset(const FootState& foot, double clock) noexcept;
 
 /// Plans both feet and the hips for the coming second.
 void plan_feet(const FootRig& rig, FootPlacementState& state, const GroundProbe& probe,

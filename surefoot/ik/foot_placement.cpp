@@ -90,7 +90,7 @@ void place_colvin(const FootRig& rig, const FootInput& input, const GroundProbe&
 Quat bend_toes(const WorldLeg& leg, const PlacedFoot& placed, Vec3 ankle, const GroundProbe& probe) noexcept {
     constexpr float k_most = 60 * k_radians_per_degree;
     const Vec3 joint = ankle + rotate(placed.tilt, leg.toe_joint - leg.points.ankle);
-    const Vec3 toe = rotate(placed.tilt, leg.points.toe_tip - leg.toe_joint), tip = joint + toe;
+    const Vec3 toe = rotate(placed.toes_tilt, leg.points.toe_tip - leg.toe_joint), tip = joint + toe;
     const float length_of_toe = length(toe);
     if (length_of_toe < 1e-4f) return {};
     const float own = std::min(0.0f, leg.points.toe_tip.y) * (1 - placed.uneven);
@@ -139,6 +139,7 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
             if (foot.has_next && state.clock >= foot.strike) {
                 foot.plant = foot.next;
                 foot.has_next = false;
+                foot.rise = 0;
                 foot.lift = foot.strike = k_never;
                 plan = true;
             }
@@ -157,7 +158,7 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
     for (std::size_t side = 0; side < 2; ++side) {
         const WorldLeg leg = world_leg(rig.legs.side[side], input.legs.side[side], input.root);
         const FootState& foot = state.feet[side];
-        const PlacedFoot placed = place_foot(foot, state.clock, leg.points, rig.legs.side[side].length());
+        const PlacedFoot placed = place_foot(foot, state.clock, leg.points, rig.legs.side[side]);
         TwoBone in;
         in.hip = leg.points.hip + k_up * hips;
         in.knee = leg.points.knee + k_up * hips;
@@ -166,7 +167,7 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
         in.knee_forward = world_knee_forward(rig, side, leg);
         const TwoBoneResult solved = solve_two_bone(in);
         const Quat bend = rig.legs.side[side].toes == k_no_joint ? Quat{} : bend_toes(leg, placed, solved.ankle, probe);
-        output.leg[side] = to_locals(leg, solved.upper, solved.lower, placed.tilt, bend * placed.tilt);
+        output.leg[side] = to_locals(leg, solved.upper, solved.lower, placed.tilt, bend * placed.toes_tilt);
         output.pulled_in[side] = solved.pulled_in;
         output.planted[side] = !foot.has_next || state.clock < foot.lift;
     }

@@ -91,6 +91,9 @@ struct FootState {
     double lift = 0, strike = 0;  ///< [s] on the state's clock: the coming or running swing
     double hump_from = 0;         ///< [s] when `hump` begins: the lift, or a replanning in mid-swing
     Hump hump;
+    /// How far the heel rises about the ball before it lifts, where the leg would be too short [rad]; and when [s].
+    float rise = 0;
+    double rise_from = 0, rise_peak = 0, rise_until = 0;
     Vec3 strike_probe;  ///< [m] where the clip's foot was to be at the strike when this was planned
     // What replanning left over, fading out by the strike, so that position and velocity go on without a jump.
     double fade_from = 0, fade_until = 0;

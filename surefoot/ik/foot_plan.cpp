@@ -22,48 +22,12 @@ constexpr float k_uneven_rise = 0.02f;   // [m] from one foothold to the next, f
 constexpr float k_uneven_tilt = 0.013f;  // sine of half the tilt: 1.5 degrees
 // Where a clip sinks its feet, either the feet are too low or the outline of the soles is: half of it is believed.
 constexpr float k_unsink = 0.5f;
-constexpr double k_moment = 1.0 / 60;  // [s] for velocities by difference
-
-float smootherstep(float x) noexcept { return x * x * x * (10 + x * (-15 + 6 * x)); }
-
-/// How deep the clip itself sinks heel or ball into its own ground; it begins smoothly.
-float own_depth(const LegPoints& points) noexcept {
-    constexpr float k_soft = 0.004f;  // [m]
-    const float depth = std::max(0.0f, -std::min(points.heel.y, points.ball.y));
-    return depth * depth / (depth + k_soft);
-}
-
-Vec3 plant_ankle(const Plant& plant, const LegPoints& points, float leg_length) noexcept {
-    const Vec3 ankle = planted(plant, points.ankle, leg_length);
-    return plant.uneven > 0 ? ankle + k_up * (plant.uneven * own_depth(points)) : ankle;
-}
-
-/// The blend of the two plants, without hump and fade.
-PlacedFoot blend_plants(const FootState& foot, double clock, const LegPoints& points, float leg_length) noexcept {
-    const auto stand = [&](const Plant& plant) {
-        return PlacedFoot{plant_ankle(plant, points, leg_length), plant.tilt, plant.uneven};
-    };
-    if (!foot.has_next || clock <= foot.lift) return stand(foot.plant);
-    if (clock >= foot.strike) return stand(foot.next);
-    const float s = smootherstep(static_cast<float>((clock - foot.lift) / (foot.strike - foot.lift)));
-    const PlacedFoot a = stand(foot.plant), b = stand(foot.next);
-    const Vec3 turn = to_rotation_vector(foot.next.tilt * conjugate(foot.plant.tilt));
-    return {a.ankle + (b.ankle - a.ankle) * s, from_rotation_vector(turn * s) * foot.plant.tilt,
-            a.uneven + (b.uneven - a.uneven) * s};
-}
-
-/// What is left of the fade: cubic Hermite from (offset, rate) to (0, 0).
-struct Fade {
-    Vec3 offset;
-    float turn_share = 0;
-};
-Fade fade_at(const FootState& foot, double clock) noexcept {
-    if (clock >= foot.fade_until || foot.fade_until <= foot.fade_from) return {};
-    const auto length = static_cast<float>(foot.fade_until - foot.fade_from);
-    const float t = std::clamp(static_cast<float>(clock - foot.fade_from) / length, 0.0f, 1.0f);
-    const float rest = (1 - t) * (1 - t);
-    return {foot.fade_offset * (rest * (1 + 2 * t)) + foot.fade_rate * (rest * t * length), 1 - smootherstep(t)};
-}
+constexpr float k_most_rise = 30 * k_radians_per_degree;
+constexpr double k_rise_after = 0.13, k_rise_fall = 0.23;  // [s] after the lift: still short of reach; flat again
+constexpr double k_shortest_rise = 0.08;                   // [s] a heel that comes up faster would kick
+constexpr float k_rise_worth = 0.003f;                     // [m] of hip height
+constexpr int k_rise_rounds = 7;                           // of bisection: a quarter of a degree
+constexpr double k_moment = 1.0 / 60;                      // [s] for velocities by difference
 
 bool is_swinging(const FootState& foot, double clock) noexcept {
     return foot.has_next && clock >= foot.lift && clock < foot.strike;
@@ -78,7 +42,8 @@ class Planner {
     void plan_hips() noexcept;
 
   private:
-    float leg_length(std::size_t side) const noexcept { return rig_.legs.side[side].length(); }
+    const Leg& leg(std::size_t side) const noexcept { return rig_.legs.side[side]; }
+    float leg_length(std::size_t side) const noexcept { return leg(side).length(); }
     Plant make_plant(std::size_t side, const ContactRun& run) const noexcept;
     void start_foot(std::size_t side) noexcept;
     void plan_stance(std::size_t side) noexcept;
@@ -88,12 +53,15 @@ class Planner {
     void clear_ground(std::size_t side) noexcept;
     float needed(const LegPoints& points, const PlacedFoot& placed, Vec3 margin) const noexcept;
     void plan_line() noexcept;
-    float shortfall(int sample, float base) const noexcept;
+    float shortfall(std::size_t side, int sample) const noexcept;
+    float least_shortfall(std::size_t side, double from, double until) const noexcept;
+    void plan_rise(std::size_t side) noexcept;
 
     const FootRig& rig_;
     FootPlacementState& state_;
     const GroundProbe& probe_;
     const Forecast& forecast_;
+    std::array<float, Forecast::k_samples> base_{};  // [m] the hips' base over the forecast
 };
 
 Plant Planner::make_plant(std::size_t side, const ContactRun& run) const noexcept {
@@ -186,10 +154,8 @@ void Planner::join(std::size_t side, const FootState& before) noexcept {
     FootState& foot = state_.feet[side];
     const double now = state_.clock, later = now + k_moment;
     const LegPoints p = forecast_.at(side, now), q = forecast_.at(side, later);
-    const PlacedFoot was = place_foot(before, now, p, leg_length(side)),
-                     went = place_foot(before, later, q, leg_length(side));
-    const PlacedFoot is = blend_plants(foot, now, p, leg_length(side)),
-                     goes = blend_plants(foot, later, q, leg_length(side));
+    const PlacedFoot was = place_foot(before, now, p, leg(side)), went = place_foot(before, later, q, leg(side));
+    const PlacedFoot is = blend_plants(foot, now, p, leg(side)), goes = blend_plants(foot, later, q, leg(side));
     const Vec3 offset = was.ankle - is.ankle, rate = ((went.ankle - goes.ankle) - offset) * (1.0f / k_moment);
     foot.fade_from = foot.hump_from = now;
     foot.fade_until = foot.strike;
@@ -227,10 +193,10 @@ void Planner::clear_ground(std::size_t side) noexcept {
     for (int j = -1; j <= k_hump_samples; ++j) {
         const double clock = from + length * static_cast<double>(j) / (k_hump_samples - 1);
         const LegPoints points = forecast_.at(side, clock);
-        PlacedFoot placed = blend_plants(foot, clock, points, leg_length(side));
+        PlacedFoot placed = blend_plants(foot, clock, points, leg(side));
         task.base[static_cast<std::size_t>(j + 1)] = placed.ankle.y - points.ankle.y;
         if (j < 0 || j == k_hump_samples) continue;
-        placed.ankle += fade_at(foot, clock).offset;
+        placed.ankle += fade_offset(foot, clock);
         const int from_end = std::min(j, k_hump_samples - 1 - j);
         const float margin = k_path_margin * std::min(1.0f, static_cast<float>(from_end) / k_ramp);
         task.need[static_cast<std::size_t>(j)] = needed(points, placed, travel * margin);
@@ -271,19 +237,54 @@ void Planner::plan_line() noexcept {
     for (std::size_t i = 0; i < count; ++i) line.add(passes[i]);
 }
 
-/// By how much the shorter of the two legs keeps the hips below `base` at a sample.
-float Planner::shortfall(int sample, float base) const noexcept {
+/// How far the hips' base stands above what a leg can reach at a sample; above 0 where the leg is long enough.
+float Planner::shortfall(std::size_t side, int sample) const noexcept {
+    const LegPoints& p = forecast_.legs[side][static_cast<std::size_t>(sample)];
+    const float length = distance(p.hip, p.knee) + distance(p.knee, p.ankle);
+    const Vec3 ankle = place_foot(state_.feet[side], forecast_.time(sample), p, leg(side)).ankle;
+    const float reach = std::max(rig_.settings.reach * length, distance(p.hip, p.ankle));
+    const float across = planar_length(ankle - p.hip), low = k_least_leg * length;
+    const float rise = std::sqrt(std::max(reach * reach - across * across, low * low));
+    return ankle.y + rise - p.hip.y - base_[static_cast<std::size_t>(sample)];
+}
+
+float Planner::least_shortfall(std::size_t side, double from, double until) const noexcept {
     float least = 0;
-    for (std::size_t side = 0; side < 2; ++side) {
-        const LegPoints& p = forecast_.legs[side][static_cast<std::size_t>(sample)];
-        const float length = distance(p.hip, p.knee) + distance(p.knee, p.ankle);
-        const Vec3 ankle = place_foot(state_.feet[side], forecast_.time(sample), p, leg_length(side)).ankle;
-        const float reach = std::max(rig_.settings.reach * length, distance(p.hip, p.ankle));
-        const float across = planar_length(ankle - p.hip), low = k_least_leg * length;
-        const float rise = std::sqrt(std::max(reach * reach - across * across, low * low));
-        least = std::min(least, ankle.y + rise - p.hip.y - base);
-    }
+    for (int i = 0; i < Forecast::k_samples; ++i)
+        if (forecast_.time(i) >= from && forecast_.time(i) <= until) least = std::min(least, shortfall(side, i));
     return least;
+}
+
+/// Where only the trailing leg keeps the hips low (uphill), its heel rises about the ball before it lifts, as far as
+/// that helps. Only in walks: where the other foot stands by then.
+void Planner::plan_rise(std::size_t side) noexcept {
+    FootState& foot = state_.feet[side];
+    const FootState& other = state_.feet[1 - side];
+    const double now = state_.clock;
+    if (foot.rise > 0 && now >= foot.rise_from && now < foot.rise_until) return;  // under way
+    foot.rise = 0;
+    if (!foot.has_next || foot.lift <= now) return;
+    const bool double_support = !other.has_next || other.lift > foot.lift || other.strike < foot.lift;
+    if (!double_support) return;
+    double flat_until = now;
+    for (int i = 0; i < Forecast::k_samples && forecast_.time(i) < foot.lift; ++i)
+        if (forecast_.heel_down[side][static_cast<std::size_t>(i)]) flat_until = forecast_.time(i);
+    if (foot.lift - flat_until < k_shortest_rise) return;
+    const double until = foot.lift + k_rise_after;
+    const float wanted =
+        std::min({least_shortfall(1 - side, flat_until, until), least_shortfall(side, now, flat_until)});
+    if (least_shortfall(side, flat_until, until) > wanted - k_rise_worth) return;
+    foot.rise_from = flat_until;
+    foot.rise_peak = foot.lift;
+    foot.rise_until = std::min(foot.lift + k_rise_fall, foot.strike - 2 * k_moment);
+    float low = 0, high = k_most_rise;
+    for (int round = 0; round < k_rise_rounds; ++round) {
+        foot.rise = 0.5f * (low + high);
+        (least_shortfall(side, flat_until, until) < wanted ? low : high) = foot.rise;
+    }
+    foot.rise = high;
+    foot.hump.start_value = foot.hump.start_slope = 0;
+    clear_ground(side);
 }
 
 void Planner::plan_hips() noexcept {
@@ -294,12 +295,16 @@ void Planner::plan_hips() noexcept {
         state_.base = {here, (state_.line.at(state_.clock + lead + 0.1) - here) / 0.1f};
     }
     HeightSpring base = state_.base;
-    std::array<float, Forecast::k_samples> short_by;
     for (int i = 0; i < Forecast::k_samples; ++i) {
         if (i)
             base.step(state_.line.at(forecast_.time(i) + lead), rig_.settings.hip_stiffness, 1.0f / Forecast::k_rate);
-        short_by[static_cast<std::size_t>(i)] = shortfall(i, base.value);
+        base_[static_cast<std::size_t>(i)] = base.value;
     }
+    plan_rise(0);
+    plan_rise(1);
+    std::array<float, Forecast::k_samples> short_by;
+    for (int i = 0; i < Forecast::k_samples; ++i)
+        short_by[static_cast<std::size_t>(i)] = std::min({0.0f, shortfall(0, i), shortfall(1, i)});
     if (!state_.started) state_.limiter.fill(state_.clock, short_by[0]);
     const auto first = static_cast<std::int64_t>(std::ceil(state_.clock * HipLimiter::k_rate));
     for (std::int64_t slot = first;; ++slot) {
@@ -313,16 +318,6 @@ void Planner::plan_hips() noexcept {
 }
 
 }  // namespace
-
-PlacedFoot place_foot(const FootState& foot, double clock, const LegPoints& points, float leg_length) noexcept {
-    PlacedFoot placed = blend_plants(foot, clock, points, leg_length);
-    if (!foot.has_next || clock < foot.hump_from || clock >= foot.strike) return placed;
-    const auto share = static_cast<float>((clock - foot.hump_from) / (foot.strike - foot.hump_from));
-    const Fade fade = fade_at(foot, clock);
-    placed.ankle += fade.offset + k_up * foot.hump.at(share);
-    if (fade.turn_share > 0) placed.tilt = from_rotation_vector(foot.fade_turn * fade.turn_share) * placed.tilt;
-    return placed;
-}
 
 void plan_feet(const FootRig& rig, FootPlacementState& state, const GroundProbe& probe,
                const LegPreview& preview) noexcept {
