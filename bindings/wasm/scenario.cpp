@@ -1,8 +1,11 @@
 #include "scenario.h"
 
+#include <surefoot/analysis/analyze.h>
+#include <surefoot/bake/character.h>
 #include <surefoot/base/error.h>
 #include <surefoot/base/hash.h>
 #include <surefoot/base/random.h>
+#include <surefoot/course/walk.h>
 #include <surefoot/io/bvh.h>
 #include <surefoot/math/trig.h>
 #include <surefoot/motion/edit.h>
@@ -11,6 +14,7 @@
 #include <surefoot/space/triangulate.h>
 
 #include <cstdio>
+#include <memory>
 #include <vector>
 
 namespace surefoot::wasm {
@@ -97,12 +101,33 @@ std::uint64_t space_scenario() {
     return hash;
 }
 
+/// The generated clips measured, baked, and steered over hills with the feet on the ground, ten seconds.
+std::uint64_t walk_scenario() {
+    const DefaultSet set = make_default_set();
+    std::vector<AnalyzedClip> clips;
+    ProjectSpace facing;
+    facing.name = "facing";
+    facing.space.axes = {{"speed", "m/s", -2, 6, false}, {"turn", "deg/s", -180, 180, false}};
+    for (const char* name : {"idle", "walk", "walk_left", "walk_right", "jog", "run"}) {
+        AnalyzedClip clip = analyze_clip(clip_named(set, name), name);
+        facing.space.samples.push_back({clip.facts.speed, clip.facts.turn});
+        facing.clips.push_back(static_cast<int>(clips.size()));
+        clips.push_back(std::move(clip));
+    }
+    triangulate(facing.space);
+    const Character character = bake_character(clips, {&facing, 1}, "scenario");
+    const std::unique_ptr<Walker> walker = make_character_walker(character);
+    const Walked walked = walk(*walker, *make_course("hills").ground, {1.4f, 10, FootMode::surefoot});
+    return hash_worlds(walked.motion);
+}
+
 }  // namespace
 
 std::string run_scenarios() {
     std::string text;
     text += "generated " + hex(generated_scenario()) + "\n";
     text += "motion " + hex(motion_scenario()) + "\n";
+    text += "walk " + hex(walk_scenario()) + "\n";
     text += "space " + hex(space_scenario()) + "\n";
     return text;
 }

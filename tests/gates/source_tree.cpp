@@ -18,13 +18,43 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What a runtime room may take from the standard library: no streams, no files, no threads, no locale.
+// What a runtime room may take from the standard library: no hashed containers (their order differs), no streams, no
+// files, no threads, no locale.
 constexpr std::array k_runtime_headers = {
-    "algorithm", "array",     "bit",     "cassert",     "cfloat",  "climits",     "cmath",
-    "compare",   "concepts",  "cstddef", "cstdint",     "cstring", "functional",  "initializer_list",
-    "iterator",  "limits",    "memory",  "new",         "numbers", "numeric",     "optional",
-    "span",      "stdexcept", "string",  "string_view", "tuple",   "type_traits", "utility",
-    "variant",   "vector",    "version",
+    "algorithm",
+    "deque",
+    "map",
+    "set",
+    "array",
+    "bit",
+    "cassert",
+    "cfloat",
+    "climits",
+    "cmath",
+    "compare",
+    "concepts",
+    "cstddef",
+    "cstdint",
+    "cstring",
+    "functional",
+    "initializer_list",
+    "iterator",
+    "limits",
+    "memory",
+    "new",
+    "numbers",
+    "numeric",
+    "optional",
+    "span",
+    "stdexcept",
+    "string",
+    "string_view",
+    "tuple",
+    "type_traits",
+    "utility",
+    "variant",
+    "vector",
+    "version",
 };
 
 // Intrinsics have one door.
@@ -143,6 +173,7 @@ class Layering {
                     say("surefoot/CMakeLists.txt", 1,
                         "room '" + room.name + "' depends on '" + other + "', which is not above it");
         for (const Source& source : sources_) check(source);
+        find_third_party_in_public();
         find_cycles();
         return std::move(breaches_);
     }
@@ -206,9 +237,21 @@ class Layering {
                 say(source.path, include.line, "a runtime room may not include <" + include.what + ">");
         } else if (source.header && include.what.find_first_of("./") != std::string::npos &&
                    include.what != k_forward_header) {
-            say(source.path, include.line, "a public header names third party: <" + include.what + ">");
+            third_party_[source.path] = include.what;
         }
     }
+
+    /// A header that names third party is private: only the .cpp files of its room may include it.
+    void find_third_party_in_public() {
+        for (const auto& [file, targets] : edges_)
+            for (const std::string& target : targets)
+                if (third_party_.contains(target) && (!file.ends_with(".cpp") || room_path(file) != room_path(target)))
+                    say(file, 1,
+                        "takes <" + third_party_[target] + "> from " + target +
+                            ", which only the .cpp files of its room may include");
+    }
+
+    static std::string room_path(const std::string& file) { return file.substr(0, file.rfind('/')); }
 
     void find_cycles() {
         std::map<std::string, int> state;  // 1 open, 2 done
@@ -238,6 +281,7 @@ class Layering {
     std::map<std::string, std::size_t> place_;
     std::set<std::string> known_;
     std::map<std::string, std::vector<std::string>> edges_;
+    std::map<std::string, std::string> third_party_;  // header -> the foreign header it names
     std::vector<std::string> breaches_;
 };
 

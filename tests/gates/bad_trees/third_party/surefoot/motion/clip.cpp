@@ -1,0 +1,2 @@
+// This one may.
+#include <surefoot/motion/clip.h>
