@@ -52,6 +52,9 @@ void close(Candidate& candidate) {
     candidate.provenance.push_back(closing_text(facts));
 }
 
+/// [s] Longer than any single action of a game's clip set: motion capture takes.
+constexpr float k_take_seconds = 8;
+
 Measured measure(LoadedClip loaded, const RoleOverrides& overrides) {
     Measured result;
     try {
@@ -59,7 +62,9 @@ Measured measure(LoadedClip loaded, const RoleOverrides& overrides) {
         clip.facts.warnings.insert(clip.facts.warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
         std::vector<std::string> provenance;
         if (clip.facts.in_place) provenance.push_back("in place: its root motion was made from the planted feet");
-        if (!clip.facts.locomotion) {
+        // A long take may jump or sit somewhere and still hold steady cycles; each of those is judged by itself.
+        const bool is_take = !clip.facts.cyclic && clip.facts.duration >= k_take_seconds;
+        if (!clip.facts.locomotion && !is_take) {
             result.left_out.push_back(left_out(clip, clip.facts.not_locomotion));
             return result;
         }
@@ -70,12 +75,14 @@ Measured measure(LoadedClip loaded, const RoleOverrides& overrides) {
         }
         std::vector<AnalyzedClip> cycles = find_cycles(clip);
         if (cycles.empty())
-            result.left_out.push_back(left_out(clip, "it does not loop and no steady cycle was found in it"));
+            result.left_out.push_back(left_out(clip, clip.facts.locomotion
+                                                         ? "it does not loop and no steady cycle was found in it"
+                                                         : clip.facts.not_locomotion));
         const bool single = cycles.size() == 1;
         for (AnalyzedClip& cycle : cycles) {
             Candidate candidate{std::move(cycle), provenance, true};
             ClipFacts& facts = candidate.clip.facts;
-            if (single) facts.name = clip.facts.name;
+            if (single && !is_take) facts.name = clip.facts.name;  // a take called "Run1" may hold one walk
             candidate.provenance.push_back(
                 fmt::format("cut from frames {} to {}", candidate.clip.source_first, candidate.clip.source_last));
             if (facts.seam > 0) candidate.provenance.push_back(closing_text(facts));
