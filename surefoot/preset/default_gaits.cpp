@@ -205,7 +205,7 @@ std::vector<GaitParameters> default_gaits() {
     gaits.push_back(walk(1.4f));
     both_ways(turning(walk(1.4f), 45));
     gaits.push_back(jog(2.6f));
-    both_ways(turning(jog(2.6f), 60));
+    both_ways(turning(jog(2.6f), 70));
     gaits.push_back(run(4.2f));
     both_ways(turning(run(4.2f), 45));
     gaits.push_back(back(1.0f));

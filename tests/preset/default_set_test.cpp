@@ -204,7 +204,7 @@ TEST(DefaultSet, travels_at_the_speeds_it_says) {
                         {"walk_left", 1.4f, 0, 45},
                         {"walk_right", 1.4f, 0, -45},
                         {"jog", 2.6f, 0, 0},
-                        {"jog_left", 2.6f, 0, 60},
+                        {"jog_left", 2.6f, 0, 70},
                         {"run", 4.2f, 0, 0},
                         {"run_right", 4.2f, 0, -45},
                         {"back", -1, 0, 0},
