@@ -41,6 +41,15 @@ class ClipWalker final : public Walker {
     double time_ = 0;
 };
 
+/// Model space of a walker's pose with its toes out of its own ground: all rows and the flat twin walk on the same
+/// toes.
+void clean_models(const Walker& walker, const FootRig& rig, std::span<Transform> locals,
+                  std::span<Transform> models) noexcept {
+    local_to_model(*walker.skeleton(), locals, models);
+    lift_toe_tips(rig, models, locals);
+    local_to_model(*walker.skeleton(), locals, models);
+}
+
 /// Looks ahead through a walker; scratch is made once.
 class WalkerPreview final : public LegPreview {
   public:
@@ -53,7 +62,7 @@ class WalkerPreview final : public LegPreview {
                 std::span<RootFrame> roots) const noexcept override {
         for (std::size_t i = 0; i < ahead.size(); ++i) {
             walker_.look(ahead[i], roots[i], locals_);
-            local_to_model(*walker_.skeleton(), locals_, models_);
+            clean_models(walker_, rig_, locals_, models_);
             legs[i] = read_legs(rig_, models_);
         }
     }
@@ -93,7 +102,7 @@ Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request) {
         if (f) walker.advance(k_dt);
         walker.look(0, root, locals);
         root.position.y = height_at(ground, root.position.x, root.position.z);
-        local_to_model(*walker.skeleton(), locals, models);
+        clean_models(walker, rig, locals, models);
         FootInput input;
         input.dt = f ? k_dt : 0;
         input.root = root;

@@ -142,4 +142,8 @@ void place_feet(const FootRig& rig, FootPlacementState& state, const FootInput& 
 void apply(const FootRig& rig, const FootOutput& output, std::span<const Transform> models,
            std::span<Transform> locals) noexcept;
 
+/// Cleans an un-placed pose before it is placed: toes bend up where the clip has their tips under its own flat ground
+/// (y = 0 in model space), which captured toes often are when a foot leaves. No joint moves but those below the toes.
+void lift_toe_tips(const FootRig& rig, std::span<const Transform> models, std::span<Transform> locals) noexcept;
+
 }  // namespace surefoot

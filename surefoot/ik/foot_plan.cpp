@@ -20,8 +20,8 @@ constexpr int k_ramp = 3;                   // samples over which the path margi
 constexpr float k_least_leg = 0.5f;      // share of its length to which the hips will fold a leg to reach, no further
 constexpr float k_uneven_rise = 0.02f;   // [m] from one foothold to the next, from which ground counts as uneven
 constexpr float k_uneven_tilt = 0.013f;  // sine of half the tilt: 1.5 degrees
-// Where a clip sinks its feet, either the feet are too low or the outline of the soles is: half of it is believed.
-constexpr float k_unsink = 0.5f;
+// Where a clip sinks its feet, either the feet are too low or the outline of the soles is: a third of it is taken out.
+constexpr float k_unsink = 0.33f;
 constexpr float k_most_rise = 30 * k_radians_per_degree;
 constexpr double k_rise_after = 0.13, k_rise_fall = 0.23;  // [s] after the lift: still short of reach; flat again
 constexpr double k_shortest_rise = 0.08;                   // [s] a heel that comes up faster would kick
