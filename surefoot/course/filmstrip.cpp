@@ -182,13 +182,14 @@ void Row::leg(std::string& svg, std::size_t side, const Paint& paint) {
                 ankle = at(over_path(foot.translation, 1));
     limb(svg, {hip, 0.105f * u}, {knee, 0.068f * u}, paint.limb, paint.shine);
     limb(svg, {knee, 0.066f * u}, {ankle, 0.042f * u}, paint.limb, paint.shine);
-    // Circles that touch the sole from above.
-    const auto above = [&](Vec3 p, const Transform& frame, float radius) {
-        const Vec3 up = rotate(frame.rotation, leg.up);
+    // Circles that touch the sole from above; the toes' own frame says nothing of up, their line does.
+    const auto above = [&](Vec3 p, Vec3 up, float radius) {
         return Circle{at(over_path(p, 1) + up * (radius / scale_)), radius};
     };
-    const Circle heel = above(sole.heel, foot, 0.030f * u), ball = above(sole.ball, foot, 0.034f * u),
-                 tip = above(sole.toe_tip, toes, 0.020f * u);
+    const Vec3 foot_up = rotate(foot.rotation, leg.up), toe = normalized(sole.toe_tip - sole.ball);
+    const Vec3 toe_up = normalized(k_up - toe * dot(toe, k_up), foot_up);
+    const Circle heel = above(sole.heel, foot_up, 0.030f * u), ball = above(sole.ball, foot_up, 0.034f * u),
+                 tip = above(sole.toe_tip, toe_up, 0.020f * u);
     const std::array<Circle, 3> back{Circle{ankle, 0.046f * u}, heel, ball};
     const std::string shoe = hull(back), cap = tapered(ball, tip);
     shape(svg, shoe, paint.shoe);
