@@ -15,6 +15,17 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <stdexcept>
+
+// Debian's assimp is built with its assertions on, and broken files can bring them about: it would end the program.
+// This definition takes the place of the library's own (it has no handler to set); ReadFile turns the exception into an
+// error text.
+namespace Assimp {
+void aiAssertViolation(const char* condition, const char* file, int line);
+void aiAssertViolation(const char* condition, const char*, int) {
+    throw std::runtime_error(std::string("a check of assimp's failed: ") + condition);
+}
+}  // namespace Assimp
 
 namespace surefoot {
 
