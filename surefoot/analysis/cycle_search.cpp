@@ -11,6 +11,7 @@ namespace {
 
 constexpr float k_shortest = 0.35f, k_longest = 2.4f;  // [s] one stride: a sprinter's to a slow turn on the spot
 constexpr int k_most_strides = 2;                      // in one cycle
+constexpr int k_phases = 24;                           // at which a stride is tried as the beginning of its loop
 constexpr float k_search = 0.07f;                      // of the duration: the closing pose is sought around the strike
 constexpr float k_best_seam = 0.05f;                   // [m] before closing (DESIGN §5)
 constexpr float k_longest_idle = 4, k_shortest_idle = 1;  // [s]
@@ -76,6 +77,23 @@ CycleCandidate closed_near(const KeyPoses& poses, int first, int guess) {
         const PoseMatch match = match_poses(poses, first, last);
         CycleCandidate c;
         c.first = first, c.last = last, c.step = match.step, c.seam = match.distance, c.seam_speed = match.speed;
+        if (c.cost() < best_cost) best = c, best_cost = c.cost();
+    }
+    return best;
+}
+
+/// The stride (or strides) from one strike to another, begun where in the half cycle before or after it loops best.
+CycleCandidate best_phase(const Motion& motion, const KeyPoses& poses, int strike, int next) {
+    const int period = next - strike, step = std::max(1, period / k_phases);
+    CycleCandidate best;
+    float best_cost = 1e30f;
+    for (int shift = -period / 2; shift < period / 2; shift += step) {
+        const int first = strike + shift;
+        if (first < 0 || first + period >= poses.frame_count()) continue;
+        CycleCandidate c = closed_near(poses, first, first + period);
+        if (c.last <= c.first) continue;
+        set_velocity(c, motion.root[static_cast<std::size_t>(first)], motion.fps);
+        c.unsteadiness = unsteadiness(motion, c.first, c.last);
         if (c.cost() < best_cost) best = c, best_cost = c.cost();
     }
     return best;
@@ -154,10 +172,9 @@ std::vector<CycleCandidate> cycle_candidates(const AnalyzedClip& take, const Key
             const auto between_them = std::upper_bound(right.begin(), right.end(), guess) -
                                       std::lower_bound(right.begin(), right.end(), first);
             if (between_them != static_cast<std::ptrdiff_t>(strides)) continue;  // the feet do not alternate
-            CycleCandidate c = closed_near(poses, first, guess);
+            CycleCandidate c = best_phase(motion, poses, first, guess);
             if (c.last <= c.first || c.seam > k_best_seam) continue;
-            set_velocity(c, motion.root[static_cast<std::size_t>(first)], motion.fps);
-            c.unsteadiness = unsteadiness(motion, c.first, c.last);
+            c.strike = first >= c.first ? first : guess;
             candidates.push_back(c);
         }
     const Tracks tracks = make_tracks(motion, take.roles.roles);

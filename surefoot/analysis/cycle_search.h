@@ -8,6 +8,7 @@ namespace surefoot {
 
 struct CycleCandidate {
     int first = 0, last = 0;                   ///< frames of the take; `last` shows the pose of `first` again
+    int strike = 0;                            ///< frame of the left foot strike in [first, last), where phase is 0
     RootFrame step;                            ///< the move over the ground from the first pose to the last
     float seam = 0;                            ///< [m] largest joint mismatch once the step is taken out
     float seam_speed = 0;                      ///< [m/s]
@@ -23,8 +24,9 @@ struct CycleCandidate {
 /// differ by 0.1 m/s or 10 deg/s.
 bool distinct(const CycleCandidate& a, const CycleCandidate& b) noexcept;
 
-/// Strides between left foot strikes that loop well enough, and stretches of standing; overlapping and unsorted.
-/// At most a fixed number of candidates a strike are tried, so the cost is linear in the frames.
+/// One or two strides of alternating feet that loop well enough, and stretches of standing; overlapping and unsorted.
+/// A stride may be cut at any phase: hands that swing unlike at one phase often meet at another. The number of
+/// candidates tried a stride is bounded, so the cost is linear in the frames.
 std::vector<CycleCandidate> cycle_candidates(const AnalyzedClip& take, const KeyPoses& poses);
 
 /// The best of each group that is not distinct, in order of speed, then turn, then time.

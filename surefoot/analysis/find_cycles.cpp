@@ -65,8 +65,9 @@ AnalyzedClip cut_cycle(const AnalyzedClip& take, const CycleCandidate& c) {
     const bool climbs = std::fabs(take.motion.root.back().position.y - take.motion.root.front().position.y) > 0.1f;
     if (!climbs) step.position.y = 0;
     set_root_frames(part, cycle_path(part, step));
-    start_at_origin(part);
     const LoopClosing closing = close_loop(part);
+    if (!c.idle) part = rotate_cycle(part, c.strike - c.first);
+    start_at_origin(part);
     return measured_cycle(take, std::move(part), closing, c.first, c.last);
 }
 

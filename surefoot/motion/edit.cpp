@@ -80,6 +80,20 @@ void start_at_origin(Motion& motion) {
     for (RootFrame& frame : motion.root) frame = back * frame;
 }
 
+Motion rotate_cycle(const Motion& motion, int first_frame) {
+    const int last = motion.frame_count() - 1;
+    if (!motion.cyclic || first_frame <= 0 || first_frame >= last) return motion;
+    Motion result = empty_copy(motion, last + 1);
+    result.cyclic = true;
+    const RootFrame travel = motion.root[at(last)] * inverse_frame(motion.root[0]);
+    for (int f = 0; f <= last; ++f) {
+        const int source = first_frame + f <= last ? first_frame + f : first_frame + f - last;
+        copy_frame(motion, source, result, f);
+        if (first_frame + f > last) result.root[at(f)] = travel * result.root[at(f)];
+    }
+    return result;
+}
+
 Motion reverse(const Motion& motion) {
     const int count = motion.frame_count();
     Motion result = empty_copy(motion, count);

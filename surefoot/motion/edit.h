@@ -49,6 +49,10 @@ LoopClosing measure_seam(const Motion& motion);
 /// seam.
 LoopClosing close_loop(Motion& motion);
 
+/// A cyclic clip begun at another of its frames: the same loop, entered later. `first_frame` in [0, frame_count - 1);
+/// root frames go on over the old seam with the cycle's travel added. Clips that are not cyclic come back unchanged.
+Motion rotate_cycle(const Motion& motion, int first_frame);
+
 /// Clips of one skeleton and frame rate one after the other: each starts at the root frame where the last one ended
 /// (its first frame replaces the last frame before it). Needs at least one.
 Motion concatenate(std::span<const Motion> parts);

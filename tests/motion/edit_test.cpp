@@ -189,5 +189,24 @@ TEST(start_at_origin, moves_the_clip_without_changing_it) {
     EXPECT_LT(distance(between(clip.root.front(), clip.root.back()).position, travel.position), 1e-5f);
 }
 
+TEST(rotate_cycle, enters_the_same_loop_later_and_keeps_its_travel) {
+    Motion loop = lopsided({});
+    close_loop(loop);
+    const int last = loop.frame_count() - 1, entry = last / 3;
+    const Motion turned = rotate_cycle(loop, entry);
+    ASSERT_EQ(turned.frame_count(), loop.frame_count());
+    EXPECT_TRUE(turned.cyclic);
+    for (int f = 0; f <= last; ++f) {
+        const int source = entry + f <= last ? entry + f : entry + f - last;
+        for (int j = 0; j < loop.joint_count(); ++j)
+            EXPECT_EQ(turned.frame(f)[static_cast<std::size_t>(j)], loop.frame(source)[static_cast<std::size_t>(j)]);
+    }
+    const RootFrame before = between(loop.root.front(), loop.root.back());
+    const RootFrame after = between(turned.root.front(), turned.root.back());
+    EXPECT_NEAR(after.yaw, before.yaw, 1e-5f);
+    EXPECT_NEAR(planar_length(after.position), planar_length(before.position), 1e-4f);
+    EXPECT_EQ(rotate_cycle(loop, 0).locals, loop.locals);
+}
+
 }  // namespace
 }  // namespace surefoot
