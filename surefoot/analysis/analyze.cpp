@@ -114,7 +114,7 @@ bool treads_in_place(const Tracks& tracks, bool looping, float leg_length, Groun
     const float tempo = std::sqrt(leg_length / 0.9f);
     const bool runs = found.speed() > k_in_place_speed * tempo;
     const bool turns = std::fabs(found.turn) * k_degrees_per_radian > k_in_place_turn;
-    if (!(runs || turns) || found.coverage < 0.15f) return false;
+    if (!(runs || turns) || found.coverage < 0.08f) return false;
     if (found.residual > 0.35f * found.speed() + 0.15f * tempo) return false;  // the feet do not agree on a ground
     return hips_extent(tracks) < std::max(0.3f * found.speed() * time, 0.1f * leg_length);
 }

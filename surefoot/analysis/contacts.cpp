@@ -11,8 +11,10 @@ namespace {
 constexpr float k_standard_leg = 0.9f;
 constexpr float k_touch_height = 0.025f, k_leave_height = 0.045f;  // [m]
 constexpr float k_touch_speed = 0.45f, k_leave_speed = 0.80f;      // [m/s] a rolling heel or toe moves up to 0.4
-constexpr float k_shortest = 0.05f;                                // [s] shorter touches and gaps are noise
-constexpr float k_smoothing = 0.015f;                              // [s] of the paths before speeds are taken
+// A sole rolls on a shoe and over the ball, so the faster the body passes over it, the more of its speed it shows.
+constexpr float k_touch_share = 0.12f, k_leave_share = 0.20f;  // of the body's speed
+constexpr float k_shortest = 0.05f;                            // [s] shorter touches and gaps are noise
+constexpr float k_smoothing = 0.015f;                          // [s] of the paths before speeds are taken
 
 struct Region {
     std::vector<float> height, speed;  ///< [m] above the ground, [m/s]
@@ -65,20 +67,36 @@ void drop_short_runs(std::vector<char>& flags, int shortest) {
         }
 }
 
-std::vector<char> touching(const Region& region, const std::vector<float>& ground, float scale, float fps) {
+/// Speeds [m/s] below which a point comes to stand, and above which it no longer does.
+struct SpeedLimits {
+    float touch, leave;
+};
+
+SpeedLimits speed_limits(const Tracks& tracks, float scale) {
+    std::vector<Vec3> hips;
+    for (const Transform& joint : tracks.hips) hips.push_back(joint.translation);
+    std::vector<float> pace;
+    for (const Vec3 v : derivative(smoothed(hips, 0.1f * tracks.fps), tracks.fps)) pace.push_back(planar_length(v));
+    const float body = median(pace), tempo = std::sqrt(scale);
+    return {std::max(k_touch_speed * tempo, k_touch_share * body),
+            std::max(k_leave_speed * tempo, k_leave_share * body)};
+}
+
+std::vector<char> touching(const Region& region, const std::vector<float>& ground, float scale,
+                           const SpeedLimits& limits, float fps) {
     std::vector<char> flags;
-    const float tempo = std::sqrt(scale);
+    const auto stays = [&](std::size_t f) {
+        return (region.height[f] - ground[f]) / scale < k_leave_height && region.speed[f] < limits.leave;
+    };
     bool on = false;
     for (std::size_t f = 0; f < region.height.size(); ++f) {
-        const float height = (region.height[f] - ground[f]) / scale, speed = region.speed[f] / tempo;
-        on = on ? height < k_leave_height && speed < k_leave_speed : height < k_touch_height && speed < k_touch_speed;
+        on = on ? stays(f) : (region.height[f] - ground[f]) / scale < k_touch_height && region.speed[f] < limits.touch;
         flags.push_back(on);
     }
     // Hysteresis must not depend on the direction of time: what the backward pass accepts counts too.
     on = false;
     for (std::size_t f = flags.size(); f-- > 0;) {
-        const float height = (region.height[f] - ground[f]) / scale, speed = region.speed[f] / tempo;
-        on = on ? height < k_leave_height && speed < k_leave_speed : flags[f] != 0;
+        on = on ? stays(f) : flags[f] != 0;
         if (on) flags[f] = 1;
     }
     drop_short_runs(flags, static_cast<int>(k_shortest * fps + 0.5f));
@@ -103,6 +121,7 @@ Contacts find_contacts(const Tracks& tracks, float leg_length) {
     contacts.uneven = !ground.planar;
     if (contacts.uneven || ground.samples == 0) ground.height = ground.slope_x = ground.slope_z = 0;
     const std::array<std::vector<char>, 2> still = still_feet(tracks, leg_length);
+    const SpeedLimits limits = speed_limits(tracks, scale);
     for (std::size_t s = 0; s < 2; ++s) {
         const FootTrack& foot = tracks.foot[s];
         const Region regions[2] = {region_of(foot.heel, foot.heel, ground, tracks.fps),
@@ -113,7 +132,7 @@ Contacts find_contacts(const Tracks& tracks, float leg_length) {
         std::vector<char> flags[2];
         for (int r = 0; r < 2; ++r) {
             const std::vector<float> flat(lowest.size(), standing_height(regions[r], scale));
-            flags[r] = touching(regions[r], contacts.uneven ? local : flat, scale, tracks.fps);
+            flags[r] = touching(regions[r], contacts.uneven ? local : flat, scale, limits, tracks.fps);
         }
         for (std::size_t f = 0; f < lowest.size(); ++f)
             contacts.state[s].push_back(flags[0][f] ? (flags[1][f] ? Contact::flat : Contact::heel)

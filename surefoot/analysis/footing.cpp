@@ -8,6 +8,8 @@ namespace {
 
 constexpr float k_floor_band = 0.015f;     // [m] soles on one floor scatter by about this in motion capture
 constexpr float k_shin_slant = 0.16f;      // sine of 9 degrees: CMU's rest pose splays the legs by 20, a T-pose by none
+constexpr float k_lowest_layer = 0.12f;    // of the leg's length: a toe tip dips that far below the floor at push-off
+constexpr float k_own_ground = 0.05f;      // [m] soles of a skinned rig this near to y = 0 stand on y = 0
 constexpr float k_sole_thickness = 0.05f;  // [m] toe joints of skinned rigs stand up to this above the floor at y = 0
 
 std::vector<Transform> rest_models(const Skeleton& skeleton) {
@@ -72,6 +74,16 @@ int flattest_frame(const FootTrack& foot, float fps) {
     return static_cast<int>(best);
 }
 
+/// The level on which soles spend most of their time, sought in the lowest layer so that a run, whose feet are longer
+/// in the air than on the ground, has its ground there, too.
+float floor_level(const std::vector<float>& heights, float leg_length) {
+    const float layer = percentile(heights, 0.02f) + k_lowest_layer * leg_length;
+    std::vector<float> low;
+    for (const float height : heights)
+        if (height <= layer) low.push_back(height);
+    return densest(low, k_floor_band);
+}
+
 std::vector<float> lowest_sole(const FootTrack& foot) {
     std::vector<float> low;
     for (std::size_t f = 0; f < foot.heel.size(); ++f)
@@ -96,11 +108,11 @@ Footing find_footing(const Motion& motion, const RoleMap& roles, const Tracks& t
             const std::vector<float> low = lowest_sole(foot);
             heights.insert(heights.end(), low.begin(), low.end());
         }
-        footing.floor = densest(heights, k_floor_band);
+        footing.floor = floor_level(heights, footing.legs.side[0].length());
+        if (std::fabs(percentile(heights, 0.03f)) < k_own_ground) footing.floor = 0;
     } else {
         std::vector<float> heights;
         for (const FootTrack& foot : tracks.foot) heights.insert(heights.end(), foot.lowest.begin(), foot.lowest.end());
-        footing.floor = densest(heights, k_floor_band);
         for (std::size_t s = 0; s < 2; ++s) {
             const int frame = flattest_frame(tracks.foot[s], tracks.fps);
             world_pose(motion, frame, models);
@@ -109,6 +121,7 @@ Footing find_footing(const Motion& motion, const RoleMap& roles, const Tracks& t
             footing.legs.hips = legs.hips;
             footing.legs.side[s] = legs.side[s];
         }
+        footing.floor = floor_level(heights, footing.legs.side[0].length());
     }
     if (std::fabs(footing.floor) < k_floor_band) footing.floor = 0;
     return footing;

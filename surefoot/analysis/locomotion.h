@@ -18,6 +18,8 @@ struct BodyFeatures {
     float hand_swing = 0;               ///< [m/s] mean of the same
     float foot_speed = 0;               ///< [m/s] 95th percentile, faster foot's ball
     float arms_up = 0;                  ///< share of frames with both hands level with the shoulders or above
+    float flat = 0;                     ///< share of frames in which a foot that is down lies flatter than 25 degrees
+    float aside = 0;                    ///< median distance of the hips from the line between the feet, in leg lengths
     int strikes[2] = {0, 0};            ///< by Side
     bool uneven = false;                ///< the feet stand at different heights
 };

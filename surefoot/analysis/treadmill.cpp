@@ -8,6 +8,7 @@ namespace {
 
 constexpr float k_standard_leg = 0.9f;
 constexpr float k_height_scale = 0.015f;   // [m] a point this high counts 1/e
+constexpr float k_vertical_slope = 0.15f;  // [1] a foot on the ground moves along it, not up or down
 constexpr float k_vertical_scale = 0.20f;  // [m/s] likewise
 constexpr float k_yaw_arm = 0.10f;         // [m] how much a foot's rotation weighs against its ends' velocities
 constexpr float k_smoothing = 0.012f;      // [s]
@@ -41,7 +42,7 @@ std::vector<float> add_samples(std::vector<Sample>& samples, const std::vector<V
     std::vector<float> certainty;
     for (std::size_t f = 0; f < points.size(); ++f) {
         const float height = std::max(0.0f, points[f].y - low) / (k_height_scale * scale);
-        const float rise = velocity[f].y / k_vertical_scale;
+        const float rise = velocity[f].y / std::max(k_vertical_scale, k_vertical_slope * planar_length(velocity[f]));
         const float weight = exp(-height * height - rise * rise);
         certainty.push_back(weight);
         if (weight > 0.02f)

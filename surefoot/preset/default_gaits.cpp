@@ -174,7 +174,7 @@ GaitParameters turn_on_the_spot(float rate, const char* name) {
     g.swing_pitch = {{0.3f, -22}, {0.75f, -3}};
     g.step_width = 0.20f;
     g.toe_out = 8;
-    g.clearance = 0.035f;
+    g.clearance = 0.05f;
     g.bob = 0.008f;
     g.sway = 0.025f;
     g.list = 2;
