@@ -96,6 +96,10 @@ CycleCandidate best_phase(const Motion& motion, const KeyPoses& poses, int strik
         c.unsteadiness = unsteadiness(motion, c.first, c.last);
         if (c.cost() < best_cost) best = c, best_cost = c.cost();
     }
+    if (best.last <= best.first) return best;
+    const PoseMatch match = match_poses_evenly(poses, best.first, best.last);
+    best.step = match.step, best.seam = match.distance, best.seam_speed = match.speed;
+    set_velocity(best, motion.root[static_cast<std::size_t>(best.first)], motion.fps);
     return best;
 }
 

@@ -61,13 +61,28 @@ AnalyzedClip measured_cycle(const AnalyzedClip& take, Motion motion, const LoopC
     return cycle;
 }
 
+/// Velocities are led into each other as well where that leaves every joint within the bound.
+LoopClosing close_gently(Motion& part) {
+    LoopOptions options;
+    options.fit_step = false;
+    Motion smooth = part;
+    const LoopClosing closing = close_loop(smooth, options);
+    if (closing.added <= k_most_added) {
+        part = std::move(smooth);
+        return closing;
+    }
+    options.velocity_width = 0;
+    return close_loop(part, options);
+}
+
 AnalyzedClip cut_cycle(const AnalyzedClip& take, const CycleCandidate& c) {
     Motion part = cut(take.motion, c.first, c.last);
     RootFrame step = c.step;
     const bool climbs = std::fabs(take.motion.root.back().position.y - take.motion.root.front().position.y) > 0.1f;
     if (!climbs) step.position.y = 0;
     set_root_frames(part, cycle_path(part, step));
-    const LoopClosing closing = close_loop(part);
+    fold_dedicated_root(part, take.roles.roles);
+    const LoopClosing closing = close_gently(part);
     if (!c.idle) part = rotate_cycle(part, c.strike - c.first);
     start_at_origin(part);
     return measured_cycle(take, std::move(part), closing, c.first, c.last);

@@ -37,19 +37,47 @@ KeyPoses key_poses(const Motion& motion, const RoleMap& roles) {
     return poses;
 }
 
-PoseMatch match_poses(const KeyPoses& poses, int a, int b) {
-    const auto pa = poses.pose(a), pb = poses.pose(b);
-    const float share = 1 / static_cast<float>(pa.size());
+namespace {
+
+/// Weighted least squares in the plane; `weights` add up to 1.
+RootFrame best_step(std::span<const Vec3> pa, std::span<const Vec3> pb, std::span<const float> weights) {
     Vec3 ca, cb;
-    for (std::size_t j = 0; j < pa.size(); ++j) ca += pa[j] * share, cb += pb[j] * share;
+    for (std::size_t j = 0; j < pa.size(); ++j) ca += pa[j] * weights[j], cb += pb[j] * weights[j];
     double along = 0, aside = 0;  // sums of dot and cross products on the ground plane
     for (std::size_t j = 0; j < pa.size(); ++j) {
         const Vec3 u = pa[j] - ca, v = pb[j] - cb;
-        along += static_cast<double>(u.x * v.x + u.z * v.z);
-        aside += static_cast<double>(u.z * v.x - u.x * v.z);
+        along += static_cast<double>(weights[j] * (u.x * v.x + u.z * v.z));
+        aside += static_cast<double>(weights[j] * (u.z * v.x - u.x * v.z));
     }
     const float yaw = static_cast<float>(atan2(aside, along));
-    return match_poses(poses, a, b, {cb - rotate(from_yaw(yaw), ca), yaw});
+    return {cb - rotate(from_yaw(yaw), ca), yaw};
+}
+
+}  // namespace
+
+PoseMatch match_poses(const KeyPoses& poses, int a, int b) {
+    const auto pa = poses.pose(a), pb = poses.pose(b);
+    const std::vector<float> weights(pa.size(), 1 / static_cast<float>(pa.size()));
+    return match_poses(poses, a, b, best_step(pa, pb, weights));
+}
+
+PoseMatch match_poses_evenly(const KeyPoses& poses, int a, int b) {
+    constexpr int k_rounds = 12;
+    const auto pa = poses.pose(a), pb = poses.pose(b);
+    std::vector<float> weights(pa.size(), 1 / static_cast<float>(pa.size()));
+    PoseMatch best = match_poses(poses, a, b, best_step(pa, pb, weights));
+    for (int round = 0; round < k_rounds; ++round) {
+        const Transform move = to_transform(best_step(pa, pb, weights));
+        float sum = 0;
+        for (std::size_t j = 0; j < pa.size(); ++j) {
+            weights[j] *= distance(transform_point(move, pa[j]), pb[j]) + 1e-6f;
+            sum += weights[j];
+        }
+        for (float& weight : weights) weight /= sum;
+        const PoseMatch match = match_poses(poses, a, b, best_step(pa, pb, weights));
+        if (match.distance < best.distance) best = match;
+    }
+    return best;
 }
 
 PoseMatch match_poses(const KeyPoses& poses, int a, int b, const RootFrame& step) {

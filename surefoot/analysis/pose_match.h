@@ -35,6 +35,10 @@ struct PoseMatch {
 /// Least squares over the joints (planar Procrustes, closed form).
 PoseMatch match_poses(const KeyPoses& poses, int a, int b);
 
+/// The step that makes the *largest* mismatch least, which is what a viewer sees at a seam: least squares whose weights
+/// grow with the mismatch until the worst joints share it (Lawson 1961). Costs about a dozen times match_poses.
+PoseMatch match_poses_evenly(const KeyPoses& poses, int a, int b);
+
 /// The same with the step given.
 PoseMatch match_poses(const KeyPoses& poses, int a, int b, const RootFrame& step);
 

@@ -132,11 +132,10 @@ void close_positions(Motion& motion) {
 }
 
 // Then the velocities meet halfway: beside the seam either end gets a (t)(1 - t / width)^2, which starts with slope a
-// and moves no pose by more than 4/27 of a times the width (half a metre a second: 0.9 cm).
-void close_velocities(Motion& motion) {
-    constexpr float k_width = 0.12f;  // [s]
+// and moves no pose by more than 4/27 of a times the width (half a metre a second: 0.6 cm).
+void close_velocities(Motion& motion, float seconds) {
     const int last = motion.frame_count() - 1;
-    const float width = std::fmin(k_width * motion.fps, 0.25f * static_cast<float>(last));  // frames
+    const float width = std::fmin(seconds * motion.fps, 0.25f * static_cast<float>(last));  // frames
     if (width < 2.0f) return;
     const Change leaving(motion.frame(0), motion.frame(1)), leaving_2(motion.frame(0), motion.frame(2));
     const Change arriving(motion.frame(last - 1), motion.frame(last)),
@@ -169,14 +168,14 @@ LoopClosing measure_seam(const Motion& motion) {
     return seam_of(aligned);
 }
 
-LoopClosing close_loop(Motion& motion) {
+LoopClosing close_loop(Motion& motion, const LoopOptions& options) {
     const int last = motion.frame_count() - 1;
     if (last < 1) return {};
-    align(motion);
+    if (options.fit_step) align(motion);
     LoopClosing result = seam_of(motion);
     const Motion before = motion;
     close_positions(motion);
-    close_velocities(motion);
+    close_velocities(motion, options.velocity_width);
     for (int f = 0; f <= last; ++f)
         result.added = std::fmax(result.added, largest_distance(models_of(before, f), models_of(motion, f)));
     const auto first = motion.frame(0);

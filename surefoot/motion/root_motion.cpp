@@ -99,29 +99,6 @@ std::vector<int> above(const Skeleton& skeleton, int joint) {
     return chain;
 }
 
-// Puts the joints above the hips at rest and hands what they carried to the joints below them.
-void fold_dedicated_root(Motion& motion, int hips) {
-    const Skeleton& skeleton = *motion.skeleton;
-    const std::vector<int> chain = above(skeleton, hips);
-    if (chain.empty()) return;
-    const auto in_chain = [&](int j) { return std::find(chain.begin(), chain.end(), j) != chain.end(); };
-    std::vector<Transform> models(at(motion.joint_count()));
-    for (int f = 0; f < motion.frame_count(); ++f) {
-        const auto pose = motion.frame(f);
-        local_to_model(skeleton, pose, models);
-        for (const int j : chain) pose[at(j)] = skeleton.rest[at(j)];
-        std::vector<Transform> resting(models.size());
-        local_to_model(skeleton, pose, resting);
-        for (int j = 0; j < motion.joint_count(); ++j) {
-            const int parent = skeleton.parents[at(j)];
-            if (parent != k_no_joint && in_chain(parent) && !in_chain(j)) {
-                pose[at(j)] = inverse(resting[at(parent)]) * models[at(j)];
-                pose[at(j)].rotation = normalized(pose[at(j)].rotation);
-            }
-        }
-    }
-}
-
 // Direction from the right joint to the left one on the ground; short where the pair is seen from above as a point.
 Vec3 level_left(const RoleMap& roles, std::span<const Transform> models, Role left) {
     const Role right = mirrored(left);
@@ -182,7 +159,31 @@ void extract_root_motion(Motion& motion, const RoleMap& roles, const RootMotionO
         for (std::size_t f = 0; f < frames.size(); ++f) write(f, path[f].x, height[f] - height[0], path[f].z, yaw[f]);
     }
     set_root_frames(motion, frames);
-    fold_dedicated_root(motion, hips);
+    fold_dedicated_root(motion, roles);
+}
+
+void fold_dedicated_root(Motion& motion, const RoleMap& roles) {
+    const int hips = roles[Role::hips];
+    if (hips == k_no_joint) return;
+    const Skeleton& skeleton = *motion.skeleton;
+    const std::vector<int> chain = above(skeleton, hips);
+    if (chain.empty()) return;
+    const auto in_chain = [&](int j) { return std::find(chain.begin(), chain.end(), j) != chain.end(); };
+    std::vector<Transform> models(at(motion.joint_count()));
+    for (int f = 0; f < motion.frame_count(); ++f) {
+        const auto pose = motion.frame(f);
+        local_to_model(skeleton, pose, models);
+        for (const int j : chain) pose[at(j)] = skeleton.rest[at(j)];
+        std::vector<Transform> resting(models.size());
+        local_to_model(skeleton, pose, resting);
+        for (int j = 0; j < motion.joint_count(); ++j) {
+            const int parent = skeleton.parents[at(j)];
+            if (parent != k_no_joint && in_chain(parent) && !in_chain(j)) {
+                pose[at(j)] = inverse(resting[at(parent)]) * models[at(j)];
+                pose[at(j)].rotation = normalized(pose[at(j)].rotation);
+            }
+        }
+    }
 }
 
 void shift_pose(Motion& motion, const RoleMap& roles, Vec3 offset) {

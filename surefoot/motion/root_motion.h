@@ -38,6 +38,10 @@ void bake_root_motion(Motion& motion);
 /// Exchanges the root frames for others (one a frame) under unchanged world poses.
 void set_root_frames(Motion& motion, std::span<const RootFrame> frames);
 
+/// Puts a dedicated root joint (all joints above the hips) to rest at the root frame; what it carried goes to its
+/// children, so that all other joints keep their world poses. Nothing happens without one, or without hips.
+void fold_dedicated_root(Motion& motion, const RoleMap& roles);
+
 /// Moves the clip against its root frames by `offset`: the ground to height 0, or the path to the origin. Dedicated
 /// root joints above the hips stay where they are; everything below them moves.
 void shift_pose(Motion& motion, const RoleMap& roles, Vec3 offset);
