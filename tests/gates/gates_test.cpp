@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <sstream>
 
 namespace surefoot::gates {
 namespace {
@@ -42,7 +44,37 @@ std::vector<std::string> split(const std::string& list) {
     return parts;
 }
 
+/// Weak symbols that more than one of the objects defines: the linker keeps one, built for who knows which processor.
+std::vector<std::string> shared_weak_symbols(const std::vector<std::string>& objects) {
+    std::map<std::string, int> seen;
+    for (const std::string& object : objects) {
+        const CommandResult result = run(std::string("'") + SUREFOOT_NM + "' '" + object + "' 2>/dev/null");
+        EXPECT_EQ(result.status, 0) << "nm could not read " << object;
+        std::istringstream lines(result.output);
+        for (std::string line; std::getline(lines, line);) {
+            std::istringstream words(line);
+            std::string address, kind, name;
+            words >> address >> kind >> name;
+            if (kind == "W" || kind == "V" || kind == "u") ++seen[name];
+        }
+    }
+    std::vector<std::string> shared;
+    for (const auto& [name, count] : seen)
+        if (count > 1) shared.push_back(name);
+    return shared;
+}
+
 }  // namespace
+
+TEST(KernelGate, kernels_for_different_processors_share_no_inline_function) {
+    const auto objects = split(SUREFOOT_KERNEL_OBJECTS);
+    ASSERT_GE(objects.size(), 1u);
+    EXPECT_EQ(joined(shared_weak_symbols(objects)), "");
+}
+
+TEST(KernelGate, sees_an_inline_function_that_two_objects_share) {
+    EXPECT_MENTIONS(shared_weak_symbols(split(SUREFOOT_SHARED_INLINE_OBJECTS)), "gate_shared_inline");
+}
 
 TEST(LayeringGate, our_rooms_lean_only_on_rooms_above_them) {
     EXPECT_GE(rooms_of(k_ours).size(), 10u);

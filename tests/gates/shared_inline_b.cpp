@@ -1,0 +1,3 @@
+#include "shared_inline.h"
+
+int gate_use_b(int x) { return gate_shared_inline(x); }
