@@ -46,6 +46,7 @@ bool has_root_motion(const Motion& motion) {
 }
 
 constexpr float k_steepest_tilt = 0.05f;    // of a capture volume that was meant to be level: 3 degrees
+constexpr float k_level_loop = 0.02f;       // [leg lengths] a loop that ends less higher than it began is level
 constexpr float k_smallest_tilt = 0.0015f;  // [1] below this, levelling would only change bits
 
 void transform_clip(Motion& motion, int frame, const Transform& by) {
@@ -77,6 +78,11 @@ bool level_in_time(Motion& motion, const Tracks& tracks) {
         transform_clip(motion, f, {{}, {0, -rise * t, 0}});
     }
     return true;
+}
+
+/// [m] from the first frame to the last.
+float rise_of_hips(const Tracks& tracks) {
+    return tracks.hips.back().translation.y - tracks.hips.front().translation.y;
 }
 
 /// First and last pose agree, and the motion runs through the seam no more abruptly than elsewhere.
@@ -174,7 +180,8 @@ AnalyzedClip analyze_clip(Motion motion, const std::string& file, float unit_sca
     add_soles(tracks, clip.legs);
     if (!own_root) {
         const bool travels = fit_ground(tracks, leg).samples > 0;
-        if (travels ? level_ground(motion, tracks, leg) : !loops(motion, roles, leg) && level_in_time(motion, tracks)) {
+        const bool level = loops(motion, roles, leg) && std::fabs(rise_of_hips(tracks)) < k_level_loop * leg;
+        if (travels ? level_ground(motion, tracks, leg) : !level && level_in_time(motion, tracks)) {
             tracks = make_tracks(motion, roles);
             add_soles(tracks, clip.legs);
         }
