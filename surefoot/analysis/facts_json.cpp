@@ -52,8 +52,10 @@ class FactsReader {
     void read(const char* key, int& value) const {
         const Json* found = find(key);
         if (!found) return;
-        if (!found->is_number_integer()) fail(key, "a whole number");
-        value = found->get<int>();
+        const bool whole = found->is_number_integer();
+        const std::int64_t read = whole ? found->get<std::int64_t>() : 0;
+        if (!whole || read != static_cast<int>(read)) fail(key, "a whole number below two thousand million");
+        value = static_cast<int>(read);
     }
     void read(const char* key, bool& value) const {
         const Json* found = find(key);
