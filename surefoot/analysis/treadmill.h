@@ -18,7 +18,8 @@ struct GroundMotion {
 
 /// Solves v = -(V + omega x r) over the standing sole points of both feet by iteratively reweighted least squares
 /// (weights fall with height, vertical speed and disagreement), then averages V evenly over time, not over samples, so
-/// that a pelvis that is slowest at mid-stance does not bias it. Needs soles and the ground at y = 0. In a clip with
+/// that a pelvis that is slowest at mid-stance does not bias it; over the middles of flat stances alone where the hips
+/// move freely and enough of the clip has such. Needs soles and the ground at y = 0. In a clip with
 /// root motion the result is the slip of its feet.
 GroundMotion estimate_ground_motion(const Tracks& tracks, float leg_length);
 
