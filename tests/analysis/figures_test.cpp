@@ -55,7 +55,10 @@ TEST(cmu_walks, speed_is_the_hips_displacement_over_time) {
 
 TEST(cmu_walks, made_in_place_they_travel_as_their_feet_say) {
     SUREFOOT_NEED_MOTION_DATA(folder);
-    std::vector<float> slow, turns;
+    // Aimed at: 4 % and 8 deg/s (DESIGN §5). One slow walk and the briskest one miss it: the feet of the first hardly
+    // lie flat, those of the second twist on the floor. So all but one are held to the aim, and that one to its own
+    // bound.
+    std::vector<float> speeds, turns;
     for (const Walk& walk : straight_walks(folder)) {
         const ClipFacts whole = analyzed(walk.clip).facts;
         const ClipFacts facts = analyze_clip(test::treadmill(walk.clip.motion, walk.velocity), walk.clip.file).facts;
@@ -65,15 +68,39 @@ TEST(cmu_walks, made_in_place_they_travel_as_their_feet_say) {
         std::printf("  %s: %.2f m/s, in place %+.1f %%, %+.1f deg/s\n", facts.name.c_str(),
                     static_cast<double>(planar_length(walk.velocity)), 100 * static_cast<double>(speed),
                     static_cast<double>(turn));
-        slow.push_back(std::fabs(speed));
+        speeds.push_back(std::fabs(speed));
         turns.push_back(std::fabs(turn));
-        // Always low: while it bears weight a foot still rolls forward over heel and ball.
-        EXPECT_NEAR(speed, 0, 0.051f) << facts.name;
-        EXPECT_NEAR(turn, 0, 13) << facts.name;
         EXPECT_NEAR(facts.cadence / whole.cadence, 1, 0.03f) << facts.name;
     }
-    EXPECT_LT(test::median(slow), 0.045f);
-    EXPECT_LT(test::median(turns), 6);
+    const auto second_worst = [](std::vector<float> values) {
+        std::sort(values.begin(), values.end());
+        return values[values.size() - 2];
+    };
+    EXPECT_LT(test::median(speeds), 0.03f);
+    EXPECT_LT(second_worst(speeds), 0.04f);
+    EXPECT_LT(*std::max_element(speeds.begin(), speeds.end()), 0.05f);
+    EXPECT_LT(test::median(turns), 5);
+    EXPECT_LT(second_worst(turns), 8);
+    EXPECT_LT(*std::max_element(turns.begin(), turns.end()), 12);
+}
+
+TEST(cmu_walks, with_hips_held_still_frame_by_frame_they_read_low_but_within_bounds) {
+    SUREFOOT_NEED_MOTION_DATA(folder);
+    // The body's surge is in the feet then, and slowest where they stand: DESIGN §5 expects 3 to 14 %.
+    for (const Walk& walk : straight_walks(folder)) {
+        Motion held = walk.clip.motion;
+        const std::size_t root = static_cast<std::size_t>(held.skeleton->find("root"));
+        for (int f = 0; f < held.frame_count(); ++f) {
+            Vec3& place = held.frame(f)[root].translation;
+            place = {0, place.y, 0};
+        }
+        const ClipFacts facts = analyze_clip(held, walk.clip.file).facts;
+        EXPECT_TRUE(facts.in_place) << facts.name;
+        const float speed = facts.speed / planar_length(walk.velocity) - 1;
+        EXPECT_GT(speed, -0.14f) << facts.name;
+        EXPECT_LT(speed, 0) << facts.name;
+        EXPECT_NEAR(facts.turn, analyzed(walk.clip).facts.turn, walk.runs ? 30 : 12) << facts.name;
+    }
 }
 
 TEST(o3de_takes, hold_many_cycles_that_loop_at_many_speeds_and_turns) {
@@ -122,17 +149,18 @@ TEST(o3de_takes, hold_many_cycles_that_loop_at_many_speeds_and_turns) {
     }
     std::printf("  %zu cycles, %.2f to %.2f m/s, %.0f to %.0f deg/s\n", count, static_cast<double>(slowest),
                 static_cast<double>(fastest), static_cast<double>(most_right), static_cast<double>(most_left));
-    EXPECT_GE(count, 40u);
+    EXPECT_GE(count, 60u);
     EXPECT_LT(slowest, 0.1f);
-    EXPECT_GT(fastest, 1.9f);
+    EXPECT_GT(fastest, 2.5f);
     EXPECT_GT(most_left, 45);
     EXPECT_LT(most_right, -45);
 }
 
 TEST(ual1_clips, are_locomotion_or_say_why_not) {
     SUREFOOT_NEED_MOTION_DATA(folder);
-    // Not in the table, since people differ: idles of a fighter or a talker may stand in a locomotion space or not; and
-    // "Idle" and "Walk", which despite their names are single held poses here.
+    // Not in the table: Sprint_Loop, whose stances of three frames are not found as such (its twin of more frames in
+    // basic_vrm_names, tested below, is locomotion); and, since people differ: idles of a fighter or a talker may stand
+    // in a locomotion space or not; and "Idle" and "Walk", which despite their names are single held poses here.
     const std::set<std::string> yes = {"Walk_Loop",       "Walk_Formal_Loop", "Jog_Fwd_Loop",
                                        "Crouch_Fwd_Loop", "Idle_Loop",        "Crouch_Idle_Loop"};
     const std::set<std::string> no = {"A_TPose",
@@ -193,6 +221,10 @@ TEST(ual1_clips, are_locomotion_or_say_why_not) {
             return text.find("not locomotion: ") == 0;
         })) << name;
     }
+    const AnalyzedClip sprint = analyzed(load(folder / "ual1_locomotion_glb/basic_vrm_names/run.glb").at(0));
+    EXPECT_TRUE(sprint.facts.locomotion) << sprint.facts.not_locomotion;
+    EXPECT_TRUE(sprint.facts.in_place);
+    EXPECT_NEAR(sprint.facts.speed, 8.95f, 0.4f);  // how fast its toes run back while they are on the ground
     // The collection's own notes give rough ground speeds of these.
     EXPECT_NEAR(facts["Walk_Loop"].speed, 1.1f, 0.06f);
     EXPECT_NEAR(facts["Walk_Formal_Loop"].speed, 1.05f, 0.06f);
