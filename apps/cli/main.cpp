@@ -3,16 +3,38 @@
 #include "command.h"
 
 #include <surefoot/base/error.h>
+#include <surefoot/host/files.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <new>
 
 namespace surefoot::cli {
-// One per file beside this one.
-extern const Command k_analyze;
-extern const Command k_convert;
-extern const Command k_mirror, k_reverse, k_cut, k_resample, k_roles;
-extern const Command k_author, k_lint, k_walk;
+
+// Each is defined in the file of its name beside this one, the edits in edit.cpp.
+extern const Command k_analyze, k_author, k_lint, k_walk;
+extern const Command k_convert, k_mirror, k_reverse, k_cut, k_resample, k_roles;
+
+namespace {
+
+/// Results go to standard output, and a full disk or closed pipe behind it must not pass for success.
+int finish_output(int code) {
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
+    std::fprintf(stderr, "surefoot: standard output cannot be written: %s; check that its disk has space\n",
+                 std::strerror(errno));
+    return 2;
+}
+
+/// CLI11 asks for a subcommand before it looks at what was given instead of one.
+void check_subcommand(const CLI::App& app, int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') return;
+    for (const CLI::App* sub : app.get_subcommands(nullptr))
+        if (sub->get_name() == argv[1]) return;
+    throw surefoot::Error(std::string("there is no subcommand '") + argv[1] + "'", {}, "see surefoot --help");
+}
+
+}  // namespace
 }  // namespace surefoot::cli
 
 int main(int argc, char** argv) {
@@ -26,16 +48,17 @@ int main(int argc, char** argv) {
     const Command* commands[] = {&k_analyze, &k_author,  &k_lint, &k_walk,     &k_convert,
                                  &k_mirror,  &k_reverse, &k_cut,  &k_resample, &k_roles};
     for (const Command* command : commands) {
-        if (!command) continue;
         CLI::App* sub = app.add_subcommand(command->name, command->help);
         const auto run = command->define(*sub);
         sub->final_callback([&chosen, run] { chosen = run; });
     }
+    surefoot::remove_temporaries_on_signals();
     try {
+        check_subcommand(app, argc, argv);
         app.parse(argc, argv);
-        return chosen ? chosen() : 2;
+        return finish_output(chosen ? chosen() : 2);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
+        return finish_output(app.exit(error) == 0 ? 0 : 2);
     } catch (const surefoot::Error& error) {
         std::fprintf(stderr, "surefoot: %s\n", error.what());
     } catch (const std::bad_alloc&) {

@@ -15,7 +15,11 @@ inline constexpr std::size_t k_max_file_bytes = std::size_t{2} << 30;
 std::string read_file(const std::filesystem::path& path, std::size_t limit = k_max_file_bytes);
 
 /// Replaces `path` by `bytes` in one step, making its folder where needed. Throws Error (folder not writable, disk
-/// full) and then leaves what was there before.
+/// full) and then leaves what was there before. What is no regular file (/dev/stdout, a pipe) is written to directly.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// For programs: lets an interrupt, hang-up or termination take away the temporary files of writing, then end the
+/// program as it would have. Signals that the caller was told to ignore stay ignored.
+void remove_temporaries_on_signals();
 
 }  // namespace surefoot
