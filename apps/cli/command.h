@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <string>
 
 namespace surefoot::cli {
 
@@ -15,5 +16,10 @@ struct Command {
     const char* help;
     std::function<std::function<int()>(CLI::App& app)> define;
 };
+
+/// Refuses NaN, which passes every range check of CLI11.
+inline std::string is_number(const std::string& text) {
+    return text.find_first_of("nN") == std::string::npos ? std::string{} : "'" + text + "' is not a number";
+}
 
 }  // namespace surefoot::cli

@@ -1,14 +1,13 @@
 // surefoot mirror | reverse | cut | resample IN OUT, and surefoot roles FILE.
 
+#include "clip_files.h"
 #include "command.h"
 
 #include <surefoot/base/error.h>
-#include <surefoot/host/files.h>
-#include <surefoot/io/bvh.h>
-#include <surefoot/io/clip_name.h>
-#include <surefoot/io/gltf.h>
-#include <surefoot/io/load.h>
+#include <surefoot/io/clip_extras.h>
 #include <surefoot/motion/edit.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,46 +17,6 @@
 namespace surefoot::cli {
 
 namespace {
-
-std::string extension_of(const std::string& path) {
-    const std::size_t dot = path.find_last_of('.');
-    std::string text = dot == std::string::npos ? std::string{} : path.substr(dot);
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
-}
-
-std::vector<LoadedClip> load_all(const std::string& path) {
-    const std::string paths[] = {path};
-    LoadResult result = load_clips(paths);
-    if (!result.failed.empty()) throw Error(result.failed[0].error, "", "");
-    if (result.clips.empty()) throw Error("there are no clips in it", path, "give a .bvh, .glb, .gltf or .fbx file");
-    for (const LoadedClip& clip : result.clips)
-        for (const std::string& warning : clip.warnings)
-            std::fprintf(stderr, "%s: %s\n", clip.file.c_str(), warning.c_str());
-    return std::move(result.clips);
-}
-
-// Writes by the extension of `out`: BVH holds one clip, GLB as many as there are.
-void write_all(std::span<const LoadedClip> clips, const std::string& out) {
-    const std::string extension = extension_of(out);
-    if (extension == ".bvh") {
-        if (clips.size() > 1)
-            throw Error("a BVH file holds one clip, and there are " + std::to_string(clips.size()), out,
-                        "pick one with IN#NAME, or write a .glb");
-        BvhWriteOptions options;
-        if (!clips[0].rotation_order.empty()) options.rotation_order = clips[0].rotation_order;
-        write_file(out, write_bvh(clips[0].motion, options));
-        return;
-    }
-    if (extension != ".glb") throw Error("this kind of file cannot be written", out, "name it .bvh or .glb");
-    GltfScene scene;
-    for (const LoadedClip& clip : clips) {
-        if (!(*clip.motion.skeleton == *clips[0].motion.skeleton))
-            throw Error("the clips are of different skeletons", out, "give one character's clips at a time");
-        scene.motions.push_back(clip.motion);
-    }
-    write_file(out, write_glb(scene));
-}
 
 std::vector<Transform> shape_of(const Motion& motion) {
     std::vector<Transform> models(static_cast<std::size_t>(motion.joint_count()));
@@ -76,13 +35,26 @@ std::shared_ptr<Paths> add_paths(CLI::App& app) {
     return paths;
 }
 
-// Reads, applies `edit` to every clip, writes.
+// Reads, applies `edit` to every clip, writes. `edit` changes the motion and says what it did.
 template <typename Edit>
 int edit_clips(const Paths& paths, const Edit& edit) {
-    std::vector<LoadedClip> clips = load_all(paths.in);
-    for (LoadedClip& clip : clips) clip.motion = edit(clip.motion);
-    write_all(clips, paths.out);
+    check_clip_output(paths.out);
+    std::vector<LoadedClip> clips = read_clip_files(paths.in);
+    for (LoadedClip& clip : clips) {
+        ClipEdit done = edit(clip.motion);
+        done.duration = clip.motion.duration();
+        done.cyclic = clip.motion.cyclic;
+        clip.extras = edited_extras(clip.extras, done);
+    }
+    write_clip_file(clips, paths.out);
     return 0;
+}
+
+ClipEdit edit_done(ClipEdit::Kind kind, std::string text) {
+    ClipEdit done;
+    done.kind = kind;
+    done.text = std::move(text);
+    return done;
 }
 
 int frame_at(const Motion& motion, double seconds) {
@@ -95,7 +67,7 @@ struct CutRange {
     double from = -1, to = -1;  // seconds; below 0: not given
 };
 
-Motion cut_range(const Motion& motion, const CutRange& range) {
+ClipEdit cut_range(Motion& motion, const CutRange& range) {
     const int first = range.from >= 0 ? frame_at(motion, range.from) : range.first_frame;
     int last = range.to >= 0 ? frame_at(motion, range.to) : range.last_frame;
     if (last < 0) last = motion.frame_count() - 1;
@@ -103,15 +75,18 @@ Motion cut_range(const Motion& motion, const CutRange& range) {
         throw Error(
             "the cut is empty: it would run from frame " + std::to_string(first) + " to " + std::to_string(last),
             motion.name, "the clip has frames 0 to " + std::to_string(motion.frame_count() - 1));
-    Motion result = cut(motion, first, last);
-    start_at_origin(result);
-    return result;
+    last = std::min(last, motion.frame_count() - 1);
+    ClipEdit done = edit_done(ClipEdit::Kind::cut, fmt::format("cut to frames {} to {}", first, last));
+    done.from = static_cast<float>(first) / motion.fps;
+    motion = cut(motion, first, last);
+    start_at_origin(motion);
+    return done;
 }
 
 int print_roles(const std::string& file) {
     bool legs = true;
     const Skeleton* shown = nullptr;
-    std::vector<LoadedClip> clips = load_all(file);
+    std::vector<LoadedClip> clips = read_clip_files(file);
     for (const LoadedClip& clip : clips) {
         const Motion& motion = clip.motion;
         if (shown && *shown == *motion.skeleton) continue;  // one answer a skeleton
@@ -131,38 +106,48 @@ extern const Command k_mirror, k_reverse, k_cut, k_resample, k_roles;
 const Command k_mirror{"mirror", "exchange left and right", [](CLI::App& app) -> std::function<int()> {
                            const auto paths = add_paths(app);
                            return [paths] {
-                               return edit_clips(*paths, [](const Motion& motion) {
-                                   return mirror(motion, find_roles(*motion.skeleton, shape_of(motion)).roles);
+                               return edit_clips(*paths, [](Motion& motion) {
+                                   motion = mirror(motion, find_roles(*motion.skeleton, shape_of(motion)).roles);
+                                   return edit_done(ClipEdit::Kind::mirrored, "mirrored");
                                });
                            };
                        }};
 
 const Command k_reverse{"reverse", "play backwards", [](CLI::App& app) -> std::function<int()> {
                             const auto paths = add_paths(app);
-                            return [paths] { return edit_clips(*paths, reverse); };
+                            return [paths] {
+                                return edit_clips(*paths, [](Motion& motion) {
+                                    motion = reverse(motion);
+                                    return edit_done(ClipEdit::Kind::reversed, "reversed");
+                                });
+                            };
                         }};
 
 const Command k_cut{
     "cut", "keep a range of frames", [](CLI::App& app) -> std::function<int()> {
         const auto paths = add_paths(app);
         const auto range = std::make_shared<CutRange>();
-        app.add_option("--first", range->first_frame, "first frame kept")->check(CLI::NonNegativeNumber);
-        app.add_option("--last", range->last_frame, "last frame kept")->check(CLI::NonNegativeNumber);
-        app.add_option("--from", range->from, "start in seconds")->check(CLI::NonNegativeNumber);
-        app.add_option("--to", range->to, "end in seconds")->check(CLI::NonNegativeNumber);
-        return [paths, range] {
-            return edit_clips(*paths, [&](const Motion& motion) { return cut_range(motion, *range); });
-        };
+        // CLI::NonNegativeNumber lets NaN pass and prints its upper bound with 300 digits.
+        const CLI::Range frames(0, 1000000000), seconds(0.0, 1e6);
+        const auto first = app.add_option("--first", range->first_frame, "first frame kept")->check(frames);
+        const auto last = app.add_option("--last", range->last_frame, "last frame kept")->check(frames);
+        app.add_option("--from", range->from, "start in seconds")->check(seconds)->check(is_number)->excludes(first);
+        app.add_option("--to", range->to, "end in seconds")->check(seconds)->check(is_number)->excludes(last);
+        return [paths, range] { return edit_clips(*paths, [&](Motion& motion) { return cut_range(motion, *range); }); };
     }};
 
-const Command k_resample{
-    "resample", "change the frame rate", [](CLI::App& app) -> std::function<int()> {
-        const auto paths = add_paths(app);
-        const auto fps = std::make_shared<float>(30.0f);
-        app.add_option("--fps", *fps, "frames a second (default 30)");
-        return
-            [paths, fps] { return edit_clips(*paths, [&](const Motion& motion) { return resample(motion, *fps); }); };
-    }};
+const Command k_resample{"resample", "change the frame rate", [](CLI::App& app) -> std::function<int()> {
+                             const auto paths = add_paths(app);
+                             const auto fps = std::make_shared<float>(30.0f);
+                             app.add_option("--fps", *fps, "frames a second (default 30)");
+                             return [paths, fps] {
+                                 return edit_clips(*paths, [&](Motion& motion) {
+                                     motion = resample(motion, *fps);
+                                     return edit_done(ClipEdit::Kind::resampled,
+                                                      fmt::format("resampled to {:g} frames a second", *fps));
+                                 });
+                             };
+                         }};
 
 const Command k_roles{"roles", "which joint is which, and how that was found",
                       [](CLI::App& app) -> std::function<int()> {
