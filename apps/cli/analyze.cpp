@@ -206,7 +206,8 @@ std::string result_csv(const Result& result) {
 int run(const AnalyzeOptions& options) {
     const Result result = analyze(options);
     for (const LoadFailure& failure : result.failed) {
-        const bool named = failure.error.find(failure.file) != std::string::npos;
+        // A message names the file, though not which clip of it was asked for.
+        const bool named = failure.error.find(failure.file.substr(0, failure.file.rfind('#'))) != std::string::npos;
         std::fprintf(stderr, "surefoot: %s%s%s\n", named ? "" : failure.file.c_str(), named ? "" : ": ",
                      failure.error.c_str());
     }
@@ -235,7 +236,8 @@ const Command k_analyze{
         app.add_flag("--strict", options->strict, "Exit with 2 when any clip cannot be read");
         app.add_option("--unit-scale", options->unit_scale,
                        "Metres a file unit (default: guessed from the character's size)")
-            ->check(CLI::PositiveNumber);
+            ->check(CLI::Range(1e-9, 1e9))
+            ->check(is_number);
         app.add_option("--role", options->roles, "Name a joint by hand, as left_foot=JOINT (may be repeated)");
         return [options] { return run(*options); };
     }};

@@ -83,11 +83,19 @@ FootMode mode_from(const std::string& text) {
     return text == "none" ? FootMode::none : text == "colvin2013" ? FootMode::colvin2013 : FootMode::surefoot;
 }
 
+/// A viewer goes by the name, and what is inside is always the same.
+void check_extension(const char* option, const std::string& file, const std::string& extension) {
+    if (!file.empty() && std::filesystem::path(file).extension() != extension)
+        throw Error("'" + file + "' is not named " + extension, option, "only " + extension + " can be written here");
+}
+
 void check(const Options& options) {
     if (options.path != "straight")
         throw Error("the path '" + options.path + "' cannot be walked yet", "--path", "use --path straight");
     if (options.all && !(options.out.empty() && options.filmstrip.empty()))
         throw Error("--all walks every course, a scene or filmstrip shows one", "--all", "name one --course");
+    check_extension("--output", options.out, ".glb");
+    check_extension("--filmstrip", options.filmstrip, ".svg");
 }
 
 WalkInfo info_of(const Options& options, const std::string& name, const std::string& course) {
@@ -149,15 +157,18 @@ const Command k_walk{
             ->capture_default_str();
         app.add_option("--grade", options->grade, "Steepness of slope_up and slope_down, degrees")
             ->check(CLI::Range(0.0, 45.0))
+            ->check(is_number)
             ->capture_default_str();
         app.add_option("--path", options->path, "straight, curve, start-stop or eight")
             ->check(CLI::IsMember({"straight", "curve", "start-stop", "eight"}))
             ->capture_default_str();
         app.add_option("--speed", options->speed, "Metres a second")
             ->check(CLI::Range(-10.0, 10.0))
+            ->check(is_number)
             ->capture_default_str();
         app.add_option("--seconds", options->seconds, "How long")
             ->check(CLI::Range(0.5, 3600.0))
+            ->check(is_number)
             ->capture_default_str();
         app.add_option("--ik", options->ik, "Foot placement of the written scene and filmstrip")
             ->check(CLI::IsMember({"none", "colvin2013", "surefoot"}))
