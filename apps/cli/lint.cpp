@@ -20,15 +20,21 @@ struct Options {
     bool json = false;
 };
 
-/// Poses of the project's clips, for the rules that compare them; a clip that cannot be read is left without.
-std::vector<PoseTable> load_poses(const Project& project, const std::filesystem::path& folder) {
+/// Poses of the project's clips, for the rules that compare them; a clip that cannot be read is left without, and said
+/// so in `warnings`.
+std::vector<PoseTable> load_poses(const Project& project, const std::filesystem::path& folder,
+                                  std::vector<std::string>& warnings) {
     std::vector<PoseTable> poses(project.clips.size());
+    std::vector<std::string> failed(project.clips.size());
     parallel_for(project.clips.size(), [&](std::size_t i) {
         const ProjectClip& clip = project.clips[i];
         if (clip.excluded || clip.file.empty()) return;
         const std::string file = (folder / clip.file).string();
         const LoadResult loaded = load_clips({&file, 1});
-        if (loaded.clips.empty()) return;
+        if (loaded.clips.empty()) {
+            failed[i] = loaded.failed.empty() ? file + ": no clip in it" : loaded.failed.front().error;
+            return;
+        }
         const Motion& motion = loaded.clips.front().motion;
         RoleMap map;
         for (const auto& [role, joint] : project.roles)
@@ -36,6 +42,8 @@ std::vector<PoseTable> load_poses(const Project& project, const std::filesystem:
                 map.set(role_from_name(role), index);
         poses[i] = make_pose_table(motion, clip.facts, map);
     });
+    for (const std::string& error : failed)
+        if (!error.empty()) warnings.push_back(error + "; its poses are not compared: run surefoot author again");
     return poses;
 }
 
@@ -46,7 +54,7 @@ int run(const Options& options) {
     std::error_code ignored;
     const fs::path path = options.project;
     const fs::path folder = fs::is_directory(path, ignored) ? path : path.parent_path();
-    LintResult result = lint(project, load_poses(project, folder));
+    LintResult result = lint(project, load_poses(project, folder, warnings));
     warnings.insert(warnings.end(), result.warnings.begin(), result.warnings.end());
     for (const std::string& warning : warnings) fmt::print(stderr, "surefoot: {}\n", warning);
     if (options.json) {

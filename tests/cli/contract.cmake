@@ -1,0 +1,72 @@
+# Runs the program on good and bad input. PROGRAM: its path. SCRATCH: a folder of our own.
+file(REMOVE_RECURSE "${SCRATCH}")
+file(MAKE_DIRECTORY "${SCRATCH}/empty")
+
+# expect(CODE TEXT ARGUMENTS...): that exit code, and TEXT on standard error (code 2) or standard output (else).
+function(expect code text)
+  execute_process(COMMAND "${PROGRAM}" ${ARGN} WORKING_DIRECTORY "${SCRATCH}"
+                  RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  if(NOT result STREQUAL code)
+    message(SEND_ERROR "surefoot ${ARGN}: exit code ${result}, not ${code}\n${out}\n${err}")
+  endif()
+  if(code EQUAL 2)
+    if(NOT out STREQUAL "")
+      message(SEND_ERROR "surefoot ${ARGN}: an error, and yet on standard output:\n${out}")
+    endif()
+    set(out "${err}")
+  elseif(err MATCHES "\\[[#.]+\\]")
+    message(SEND_ERROR "surefoot ${ARGN}: a progress bar where there is no terminal:\n${err}")
+  endif()
+  string(FIND "${out}" "${text}" at)
+  if(at EQUAL -1)
+    message(SEND_ERROR "surefoot ${ARGN}: says nothing of \"${text}\", but\n${out}")
+  endif()
+endfunction()
+
+expect(2 "there is no subcommand 'stroll'" stroll)
+expect(2 "no such file or folder" analyze nowhere)
+expect(2 "no clips in this folder" author empty -o none)
+expect(0 "project: project/project.json" author --default -o project)
+expect(1 "uncovered" lint project)
+expect(0 "uncovered" lint project --fail-on warning)
+expect(2 "'nan' is not a number" walk project --speed nan)
+expect(2 "not named .glb" walk project -o walk.bvh)
+expect(2 "not named .svg" walk project --filmstrip walk.png)
+expect(2 "moon not in" walk project --course moon)
+expect(2 "is not one to write" mirror project/clips/walk.glb mirrored.fbx)
+expect(2 "'nan' is not a number" cut project/clips/walk.glb cut.glb --from nan)
+expect(0 "" mirror project/clips/walk_left.glb mirrored.glb)
+expect(0 "" cut project/clips/walk_left.glb cut.glb --from 0.1)
+expect(0 "walk_left" analyze mirrored.glb)
+
+foreach(pair "mirrored;mirrored" "cut;cut to frames")
+  list(GET pair 0 name)
+  list(GET pair 1 note)
+  file(STRINGS "${SCRATCH}/${name}.glb" notes REGEX "provenance[^a-z]*${note}")
+  file(STRINGS "${SCRATCH}/${name}.glb" mesh REGEX "meshes")
+  if(notes STREQUAL "" OR mesh STREQUAL "")
+    message(SEND_ERROR "${name}.glb has lost its provenance or its mesh")
+  endif()
+endforeach()
+
+# A clip that is missing is said, and lint goes on.
+file(REMOVE "${SCRATCH}/project/clips/walk.glb")
+execute_process(COMMAND "${PROGRAM}" lint project WORKING_DIRECTORY "${SCRATCH}"
+                RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE err)
+if(NOT result EQUAL 1 OR NOT err MATCHES "walk.glb: no such file.*not compared")
+  message(SEND_ERROR "lint without a clip: exit code ${result}\n${err}")
+endif()
+
+# Results that reach no disk are no success.
+if(EXISTS /dev/full)
+  execute_process(COMMAND "${PROGRAM}" lint project WORKING_DIRECTORY "${SCRATCH}"
+                  RESULT_VARIABLE result OUTPUT_FILE /dev/full ERROR_VARIABLE err)
+  if(NOT result EQUAL 2 OR NOT err MATCHES "standard output cannot be written")
+    message(SEND_ERROR "a full disk behind standard output: exit code ${result}\n${err}")
+  endif()
+endif()
+
+file(GLOB_RECURSE left "${SCRATCH}/.*.tmp" "${SCRATCH}/none/*" "${SCRATCH}/walk.*")
+if(left)
+  message(SEND_ERROR "left behind: ${left}")
+endif()
