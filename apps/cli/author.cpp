@@ -89,6 +89,9 @@ int run(const Options& options) {
         std::fputs(findings_json(result.project.findings).c_str(), stdout);
     } else {
         print_table(result.project);
+        if (result.takes > 0)
+            fmt::print("\n{} cycles found in {} of {} takes, {} of them in the spaces\n", result.cycles_found,
+                       result.takes_with_cycles, result.takes, result.cycles_placed);
         print_left_out(result.project);
         print_findings(result.project);
         fmt::print("\nproject: {}\nreport:  {}\n", result.project_file.string(), result.report_file.string());
@@ -109,7 +112,8 @@ const Command k_author{
             ->allow_extra_args(false);
         app.add_option("--name", options->name, "title of the project");
         app.add_option("--unit-scale", options->unit_scale, "metres per unit of the files (default: guessed)")
-            ->check(CLI::PositiveNumber);
+            ->check(CLI::Range(1e-9, 1e9))
+            ->check(is_number);
         app.add_flag("--no-mannequin", options->no_mannequin, "write the clips without a body");
         app.add_flag("--strict", options->strict, "exit with 2 where a clip could not be read");
         app.add_flag("--json", options->json, "print the findings as JSON");

@@ -143,6 +143,11 @@ AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const 
     const AnalyzedClip& first = gathered.kept.front().clip;
     project.roles = named_roles(first.roles.roles, *first.motion.skeleton);
 
+    result.takes = gathered.takes;
+    result.takes_with_cycles = gathered.takes_with_cycles;
+    result.cycles_found = gathered.cycles;
+    for (const Candidate& candidate : gathered.kept) result.cycles_placed += candidate.cut_from_take;
+
     place_clips(project, options.axes, before ? &*before : nullptr, result.warnings);
     std::vector<PoseTable> poses(project.clips.size());
     parallel_for(gathered.kept.size(), [&](std::size_t i) {
@@ -171,7 +176,7 @@ AuthorResult author_clips(std::span<const std::string> paths, const fs::path& fo
     LoadResult loaded = load_clips(paths, load);
     AuthorResult result;
     for (const LoadFailure& failure : loaded.failed)
-        result.failed.push_back(failure.error.find(failure.file) == std::string::npos
+        result.failed.push_back(failure.error.find(failure.file.substr(0, failure.file.rfind('#'))) == std::string::npos
                                     ? failure.file + ": " + failure.error
                                     : failure.error);
     if (loaded.clips.empty()) {

@@ -27,6 +27,9 @@ struct AuthorResult {
     std::vector<std::string> warnings;
     std::vector<std::string> failed;  ///< files that could not be read, with the reason
     std::filesystem::path project_file, report_file;
+    int takes = 0;              ///< clips that do not loop as they are and were searched for cycles
+    int takes_with_cycles = 0;  ///< those of them where any was found
+    int cycles_found = 0, cycles_placed = 0;
 };
 
 /// Authors the clips found at `paths` (files or folders) into `folder`: clips/NAME.glb, report.html and, last,

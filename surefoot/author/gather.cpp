@@ -20,6 +20,7 @@ struct Measured {
     std::vector<Candidate> kept;
     std::vector<ProjectClip> left_out;
     std::string failed;
+    bool searched = false;  // for cycles
 };
 
 ProjectClip left_out(const AnalyzedClip& clip, std::string reason) {
@@ -74,6 +75,7 @@ Measured measure(LoadedClip loaded, const RoleOverrides& overrides) {
             return result;
         }
         std::vector<AnalyzedClip> cycles = find_cycles(clip);
+        result.searched = true;
         if (cycles.empty())
             result.left_out.push_back(left_out(clip, clip.facts.locomotion
                                                          ? "it does not loop and no steady cycle was found in it"
@@ -266,6 +268,11 @@ Gathered gather(std::vector<LoadedClip> clips, const RoleOverrides& overrides) {
     }
     Gathered gathered;
     for (Measured& one : measured) {
+        if (one.searched) {
+            ++gathered.takes;
+            gathered.takes_with_cycles += !one.kept.empty();
+            gathered.cycles += static_cast<int>(one.kept.size());
+        }
         std::move(one.kept.begin(), one.kept.end(), std::back_inserter(gathered.kept));
         std::move(one.left_out.begin(), one.left_out.end(), std::back_inserter(gathered.left_out));
         if (!one.failed.empty()) gathered.failed.push_back(one.failed);

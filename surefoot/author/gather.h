@@ -21,6 +21,9 @@ struct Gathered {
     std::vector<Candidate> kept;        ///< in order of name
     std::vector<ProjectClip> left_out;  ///< with reasons, in order of name
     std::vector<std::string> failed;    ///< clips that could not be measured
+    int takes = 0;                      ///< clips that were searched for cycles
+    int takes_with_cycles = 0;
+    int cycles = 0;  ///< found in them, before any was left out
 };
 
 /// Measures clips (in parallel), cuts takes into cycles, drops what is not locomotion, keeps the skeleton that most

@@ -137,6 +137,24 @@ std::string message_of(const std::function<void()>& action) {
     return "no error";
 }
 
+TEST(author, cycles_found_in_takes_are_counted_and_each_is_placed_or_left_out) {
+    SUREFOOT_NEED_MOTION_DATA(motion);
+    Folder folder;
+    const std::string paths[] = {(motion / "o3de_mocap_bvh/Walk1.bvh").string(),
+                                 (motion / "o3de_mocap_bvh/Jog1.bvh").string()};
+    const AuthorResult result = author_clips(paths, folder.path, plain());
+    EXPECT_EQ(result.takes, 2);
+    EXPECT_GE(result.takes_with_cycles, 1);
+    int placed = 0, left_out = 0;
+    for (const ProjectClip& clip : result.project.clips) {
+        if (clip.source_first == 0 && clip.excluded) continue;  // a whole take without any
+        (clip.excluded ? left_out : placed) += 1;
+    }
+    EXPECT_GT(placed, 0);
+    EXPECT_EQ(result.cycles_placed, placed);
+    EXPECT_EQ(result.cycles_found, placed + left_out);
+}
+
 TEST(author, what_cannot_be_authored_is_said_in_so_many_words_and_leaves_no_project) {
     Folder folder;
     const fs::path empty = folder.path / "empty", out = folder.path / "out";
