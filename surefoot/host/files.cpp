@@ -24,7 +24,7 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
 /// Temporary files that exist now, where a signal handler can find them: no lock, no allocation.
 struct Slot {
     std::atomic<int> state{0};  // free, being filled, holds a path
-    char path[4096];
+    char path[4096] = {};
 };
 constexpr int k_free = 0, k_filling = 1, k_held = 2;
 constinit Slot g_slots[64];  // files written at the same time; any more are written without this care
