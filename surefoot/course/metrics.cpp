@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace surefoot {
 namespace {
 
+constexpr double k_not_measured = std::numeric_limits<double>::quiet_NaN();
 constexpr double k_smoothing = 0.025;       // [s] sigma of the Gaussian before derivatives
 constexpr float k_planted_height = 0.015f;  // [m] above the point's own 3rd percentile
 constexpr double k_percentile = 0.03;
@@ -201,14 +203,18 @@ void Measurement::contacts() {
             result.sole_angle_worst_deg = std::max(result.sole_angle_worst_deg, angle);
         }
     }
-    const double count = std::max(result.planted_samples, 1);
+    // Nothing planted is nothing measured: the figures are no numbers then, not perfect ones.
+    if (angle_count == 0) result.sole_angle_worst_deg = k_not_measured;
+    if (result.planted_samples == 0) result.float_max_cm = k_not_measured;
+    const double count = result.planted_samples > 0 ? result.planted_samples : k_not_measured;
     result.skate_cm_s = skate_ / count;
     result.skate_weighted_cm = weighted_ / count;
     result.float_mean_cm = float_ / count;
-    result.sole_angle_deg = angles / std::max(angle_count, 1);
+    result.sole_angle_deg = angle_count > 0 ? angles / angle_count : k_not_measured;
     const auto frames = std::count(standing_.begin(), standing_.end(), true);
-    result.skate_share =
-        static_cast<double>(std::count(skating_.begin(), skating_.end(), true)) / std::max<double>(1, frames);
+    result.skate_share = frames > 0 ? static_cast<double>(std::count(skating_.begin(), skating_.end(), true)) /
+                                          static_cast<double>(frames)
+                                    : k_not_measured;
 }
 
 void Measurement::depths() {
@@ -318,7 +324,7 @@ TwinFigures measure_twin(const WalkTrack& twin, float margin) {
             }
         }
     }
-    figures.skate_cm_s = sum / std::max(count, 1);
+    figures.skate_cm_s = count > 0 ? sum / count : k_not_measured;
     figures.hip_jerk_m_s3 = hip_jerk(twin, first, end);
     return figures;
 }

@@ -38,6 +38,8 @@ struct WalkTrack {
 /// The track of a world motion.
 WalkTrack make_track(const Motion& motion, const Legs& legs);
 
+/// Figures of planted points are NaN (`null` in JSON) where no point is planted; those of the sole's angle, where heel
+/// and ball never stand at once.
 struct WalkMetrics {
     double skate_cm_s = 0;         ///< mean horizontal speed of planted sole points
     double skate_share = 0;        ///< share of frames in which a planted point moves faster than 10 cm/s

@@ -154,6 +154,11 @@ std::string metrics_table(const WalkInfo& info, const WalkComparison& walks) {
     }
     const TwinFigures flat = measure_twin(make_track(walks.twin.motion, walks.legs));
     fmt::format_to(Out(out), "  flat twin  {:6.2f}   the same clip on flat ground\n", flat.skate_cm_s);
+    if (std::isnan(walks.metrics[0].skate_cm_s) || std::isnan(walks.metrics[0].sole_angle_deg))
+        out +=
+            "  nan: on flat ground the clip never stands there (heel and ball at once, for the sole's angle), so "
+            "nothing\n"
+            "       was measured; look at its contacts with `surefoot analyze`\n";
     return out;
 }
 

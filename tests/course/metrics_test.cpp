@@ -128,7 +128,10 @@ TEST(Metrics, drift_is_what_the_root_misses) {
 
 TEST(Metrics, a_walk_that_never_stands_has_no_samples) {
     const WalkTrack flying = moved(stepping(), [](float t) { return Vec3{0, 0, 3 * t}; });
-    EXPECT_EQ(measure_walk(flying, flying, k_flat, {}).planted_samples, 0);
+    const WalkMetrics nothing = measure_walk(flying, flying, k_flat, {});
+    EXPECT_EQ(nothing.planted_samples, 0);
+    EXPECT_TRUE(std::isnan(nothing.skate_cm_s) && std::isnan(nothing.float_max_cm) &&
+                std::isnan(nothing.sole_angle_deg));
 }
 
 TEST(Depth, is_the_way_to_free_space) {
