@@ -14,7 +14,8 @@ constexpr float k_touch_speed = 0.45f, k_leave_speed = 0.80f;      // [m/s] a ro
 // A sole rolls on a shoe and over the ball, so the faster the body passes over it, the more of its speed it shows.
 constexpr float k_touch_share = 0.12f, k_leave_share = 0.20f;  // of the body's speed
 constexpr float k_shortest = 0.05f;                            // [s] shorter touches and gaps are noise
-constexpr float k_smoothing = 0.015f;                          // [s] of the paths before speeds are taken
+constexpr float k_shortest_swing = 0.08f;  // [s] a hasty step on the spot takes 0.1, a sprinter's swing 0.3
+constexpr float k_smoothing = 0.015f;      // [s] of the paths before speeds are taken
 
 struct Region {
     std::vector<float> height, speed;  ///< [m] above the ground, [m/s]
@@ -103,13 +104,26 @@ std::vector<char> touching(const Region& region, const std::vector<float>& groun
     return flags;
 }
 
-/// Where this region stands in the clip: its own low heights, but never so high that a heel which only floats past
-/// (sprinting on the forefoot) would count as standing.
+/// Where this region stands in the clip: the height at which it rests most (toe tips dip lower at push-off), but never
+/// so high that a heel which only floats past (sprinting on the forefoot) would count as standing.
 float standing_height(const Region& region, float scale) {
     std::vector<float> slow;
     for (std::size_t f = 0; f < region.height.size(); ++f)
         if (region.speed[f] < k_leave_speed) slow.push_back(region.height[f]);
-    return std::clamp(percentile(slow, 0.1f), -0.04f * scale, 0.02f * scale);
+    return std::clamp(densest(slow, 0.01f * scale), -0.04f * scale, 0.02f * scale);
+}
+
+/// A foot that is up for less time than any swing takes was never up: it keeps the state it had.
+void bridge_short_lifts(std::vector<Contact>& states, int shortest) {
+    const int n = static_cast<int>(states.size());
+    for (int begin = 0; begin < n;) {
+        int end = begin;
+        const auto lifted = [&](int f) { return states[static_cast<std::size_t>(f)] == Contact::lifted; };
+        while (end < n && lifted(end) == lifted(begin)) ++end;
+        if (lifted(begin) && begin > 0 && end < n && end - begin < shortest)
+            std::fill(states.begin() + begin, states.begin() + end, states[static_cast<std::size_t>(begin - 1)]);
+        begin = end;
+    }
 }
 
 }  // namespace
@@ -137,6 +151,7 @@ Contacts find_contacts(const Tracks& tracks, float leg_length) {
         for (std::size_t f = 0; f < lowest.size(); ++f)
             contacts.state[s].push_back(flags[0][f] ? (flags[1][f] ? Contact::flat : Contact::heel)
                                                     : (flags[1][f] ? Contact::toe : Contact::lifted));
+        bridge_short_lifts(contacts.state[s], static_cast<int>(k_shortest_swing * tracks.fps + 0.5f));
     }
     return contacts;
 }

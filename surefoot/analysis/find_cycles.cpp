@@ -55,8 +55,9 @@ AnalyzedClip measured_cycle(const AnalyzedClip& take, Motion motion, const LoopC
     const BodyFeatures body = body_features(measured, facts, leg);
     facts.not_locomotion = why_not_locomotion(body, facts, leg);
     facts.locomotion = facts.not_locomotion.empty();
-    // A flicker of contacts is no flight: who runs stands less than half of the time, too.
-    const bool runs = body.airborne > 0.03f && facts.duty < 0.5f;
+    // Flight alone does not tell a run: a flicker of contacts looks like it, and slow jogs have next to none. The hips
+    // do.
+    const bool runs = body.vault < 0 && facts.cadence > 0 && (facts.duty < 0.6f || body.airborne > 0.03f);
     facts.name = cycle.motion.name = cycle_name(facts, leg, runs);
     return cycle;
 }

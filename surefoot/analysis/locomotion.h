@@ -20,8 +20,11 @@ struct BodyFeatures {
     float arms_up = 0;                  ///< share of frames with both hands level with the shoulders or above
     float flat = 0;                     ///< share of frames in which a foot that is down lies flatter than 25 degrees
     float aside = 0;                    ///< median distance of the hips from the line between the feet, in leg lengths
-    int strikes[2] = {0, 0};            ///< by Side
-    bool uneven = false;                ///< the feet stand at different heights
+    /// [leg lengths] height of the hips over a standing foot against their mean height: above 0 in a walk, which vaults
+    /// over its leg, below 0 in a run, which sinks on it.
+    float vault = 0;
+    int strikes[2] = {0, 0};  ///< by Side
+    bool uneven = false;      ///< the feet stand at different heights
 };
 
 BodyFeatures body_features(const Measured& measured, const ClipFacts& facts, float leg_length);

@@ -10,24 +10,21 @@ constexpr float k_standard_leg = 0.9f;
 constexpr float k_height_scale = 0.015f;   // [m] a point this high counts 1/e
 constexpr float k_vertical_slope = 0.15f;  // [1] a foot on the ground moves along it, not up or down
 constexpr float k_vertical_scale = 0.20f;  // [m/s] likewise
-constexpr float k_yaw_arm = 0.20f;         // [m] how much a foot's rotation weighs against its ends' velocities
+constexpr float k_rolling_share = 0.02f;   // what a point counts while the other end of its foot is off the ground
+constexpr float k_flat_runner = 0.03f;     // flat feet a frame: below this the ball alone has to tell the speed
+constexpr float k_sure_held = 0.05f;       // the same where the whole stance must speak
+constexpr float k_held_hips = 0.005f;      // [m] hips that stray less were held by a tool, not by a walker
+constexpr float k_rolling_turn = 0.65f;    // what rolling feet have to say in the turn; flat ones say the rest
+constexpr float k_sure = 0.6f;             // of the surest frames' weight: frames that enter the mean over time
+constexpr float k_yaw_arm = 0.10f;         // [m] how much a foot's rotation weighs against its ends' velocities
 constexpr float k_smoothing = 0.012f;      // [s]
-// A foot rolls forward onto and off its flat stance and rests in the middle of it: in CMU's walks, counting all of the
-// stance reads 4 to 5 % low, the middles half of that. Only the mean velocity rests on them: the turn needs the ends of
-// the stances, too, where the feet are far from the body.
-constexpr float k_flat = 0.05f;           // [1] certainty of heel and ball together
-constexpr float k_roll = 0.1f;            // of a flat stance, at either end
-constexpr float k_shortest_flat = 0.08f;  // [s] a shorter one is passing by
-constexpr float k_settled_share = 0.1f;   // of the frames: fewer say too little of the whole clip
-constexpr float k_held_hips = 0.005f;     // [m] hips that stray less were held still by a tool, not by a walker
-constexpr int k_rounds = 25;              // IRLS settles in about ten
+constexpr int k_rounds = 25;               // IRLS settles in about ten
 
 /// One standing point in one frame: where it is (from the centre), how it moves, how surely it stands.
 struct Sample {
     int frame;
     float rx, rz, vx, vz, weight;
     bool rotation;  // vx holds a yaw rate instead
-    bool settled;   // in the middle of a flat stance
 };
 
 std::vector<Vec3> relative_to(const std::vector<Vec3>& points, Vec3 centre) {
@@ -42,57 +39,68 @@ float low_height(const std::vector<Vec3>& points, float scale) {
     return std::clamp(percentile(heights, 0.05f), -0.04f * scale, 0.02f * scale);
 }
 
-/// Samples of one sole point; `certainty` receives exp(-…) a frame.
-std::vector<float> add_samples(std::vector<Sample>& samples, const std::vector<Vec3>& points, Vec3 centre, float fps,
-                               float scale) {
-    const std::vector<Vec3> path = smoothed(relative_to(points, centre), k_smoothing * fps);
-    const std::vector<Vec3> velocity = derivative(path, fps);
-    const float low = low_height(points, scale);
+/// One sole point over time: its path, its velocity, and how surely it stands by height and rise alone.
+struct PointTrack {
+    std::vector<Vec3> path, velocity;
     std::vector<float> certainty;
+};
+
+PointTrack track_point(const std::vector<Vec3>& points, Vec3 centre, float fps, float scale) {
+    PointTrack track;
+    track.path = smoothed(relative_to(points, centre), k_smoothing * fps);
+    track.velocity = derivative(track.path, fps);
+    const float low = low_height(points, scale);
     for (std::size_t f = 0; f < points.size(); ++f) {
+        const Vec3 v = track.velocity[f];
         const float height = std::max(0.0f, points[f].y - low) / (k_height_scale * scale);
-        const float rise = velocity[f].y / std::max(k_vertical_scale, k_vertical_slope * planar_length(velocity[f]));
-        const float weight = exp(-height * height - rise * rise);
-        certainty.push_back(weight);
-        if (weight > 0.02f)
-            samples.push_back(
-                {static_cast<int>(f), path[f].x, path[f].z, velocity[f].x, velocity[f].z, weight, false, false});
+        const float rise = v.y / std::max(k_vertical_scale, k_vertical_slope * planar_length(v));
+        track.certainty.push_back(exp(-height * height - rise * rise));
     }
-    return certainty;
+    return track;
 }
 
-/// The middles of the stretches of time in which the foot lies flat.
-std::vector<char> mid_stance(const std::vector<float>& heel, const std::vector<float>& ball, float fps) {
-    std::vector<char> middle(heel.size());
-    for (std::size_t begin = 0; begin < heel.size();) {
-        std::size_t end = begin;
-        while (end < heel.size() && heel[end] * ball[end] > k_flat) ++end;
-        const float count = static_cast<float>(end - begin);
-        const std::size_t trim = static_cast<std::size_t>(k_roll * count + 0.5f);
-        if (count >= k_shortest_flat * fps) {
-            const auto at = middle.begin() + static_cast<std::ptrdiff_t>(begin);
-            std::fill(at + static_cast<std::ptrdiff_t>(trim), at + static_cast<std::ptrdiff_t>(end - begin - trim), 1);
-        }
-        begin = end + 1;
+/// A point counts in full while the other end of the foot stands, too: a heel or ball that the foot rolls over creeps
+/// forward, which would read as a slower ground.
+void add_samples(std::vector<Sample>& samples, const PointTrack& point, const PointTrack& other, float rolling) {
+    for (std::size_t f = 0; f < point.path.size(); ++f) {
+        const Vec3 r = point.path[f], v = point.velocity[f];
+        const float weight = point.certainty[f] * (rolling + (1 - rolling) * other.certainty[f]);
+        if (weight > 0.005f) samples.push_back({static_cast<int>(f), r.x, r.z, v.x, v.z, weight, false});
     }
-    return middle;
 }
 
-std::vector<Sample> standing_samples(const Tracks& tracks, Vec3 centre, float scale) {
+std::vector<Sample> standing_samples(const Tracks& tracks, Vec3 centre, float scale, float rolling) {
     std::vector<Sample> samples;
     for (const FootTrack& foot : tracks.foot) {
-        const std::size_t first = samples.size();
-        const std::vector<float> heel = add_samples(samples, foot.heel, centre, tracks.fps, scale);
-        const std::vector<float> ball = add_samples(samples, foot.ball, centre, tracks.fps, scale);
+        const PointTrack heel = track_point(foot.heel, centre, tracks.fps, scale);
+        const PointTrack ball = track_point(foot.ball, centre, tracks.fps, scale);
+        add_samples(samples, heel, ball, rolling);
+        add_samples(samples, ball, heel, rolling);
         const std::vector<float> rate = derivative(smoothed(foot.yaw, k_smoothing * tracks.fps), tracks.fps);
         for (std::size_t f = 0; f < rate.size(); ++f)
-            if (const float flat = heel[f] * ball[f]; flat > 0.05f)
-                samples.push_back({static_cast<int>(f), 0, 0, rate[f], 0, flat, true, false});
-        const std::vector<char> middle = mid_stance(heel, ball, tracks.fps);
-        for (std::size_t i = first; i < samples.size(); ++i)
-            samples[i].settled = middle[static_cast<std::size_t>(samples[i].frame)] != 0;
+            if (const float flat = heel.certainty[f] * ball.certainty[f]; flat > 0.05f)
+                samples.push_back({static_cast<int>(f), 0, 0, rate[f], 0, flat, true});
     }
     return samples;
+}
+
+/// Feet flat on the ground, in feet a frame. Their rotation samples tell.
+float flat_share(const std::vector<Sample>& samples, int frames) {
+    float sum = 0;
+    for (const Sample& s : samples)
+        if (s.rotation) sum += s.weight;
+    return sum / static_cast<float>(frames);
+}
+
+/// Were the hips held still frame by frame, by a tool? The surge of the body is in the feet then, which are slowest in
+/// the middle of a stance: flat feet must not speak for the rest.
+bool holds_hips_still(const Tracks& tracks, Vec3 centre, float scale) {
+    float stray = 0;
+    for (const Transform& hips : tracks.hips) {
+        const float d = planar_length(hips.translation - centre) / scale;
+        stray += d * d / static_cast<float>(tracks.hips.size());
+    }
+    return stray < k_held_hips * k_held_hips;
 }
 
 struct Solution {
@@ -123,8 +131,8 @@ Solution median_start(const std::vector<Sample>& samples) {
     return {weighted_median(x), weighted_median(z), 0};
 }
 
-/// Weighted least squares for (vx, vz, turn): three normal equations, solved by Cramer's rule.
-Solution least_squares(const std::vector<Sample>& samples, const std::vector<float>& weights) {
+/// Weighted least squares for (vx, vz, turn), three normal equations; or for (vx, vz) with the turn given.
+Solution least_squares(const std::vector<Sample>& samples, const std::vector<float>& weights, const float* given_turn) {
     double n = 0, sx = 0, sz = 0, r2 = 0, bx = 0, bz = 0, bt = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const Sample& s = samples[i];
@@ -143,15 +151,19 @@ Solution least_squares(const std::vector<Sample>& samples, const std::vector<flo
     if (!(n > 1e-6)) return {};
     // [n 0 sz; 0 n -sx; sz -sx r2] (vx vz turn) = (bx bz bt)
     const double det = r2 - (sx * sx + sz * sz) / n;
-    const double turn = det > 1e-6 * n ? (bt - (sz * bx - sx * bz) / n) / det : 0;
+    const double free_turn = det > 1e-6 * n ? (bt - (sz * bx - sx * bz) / n) / det : 0;
+    const double turn = given_turn ? static_cast<double>(*given_turn) : free_turn;
     return {static_cast<float>((bx - sz * turn) / n), static_cast<float>((bz + sx * turn) / n),
             static_cast<float>(turn)};
 }
 
-std::vector<float> robust_weights(const std::vector<Sample>& samples, const Solution& solution, float scale) {
+std::vector<float> robust_weights(const std::vector<Sample>& samples, const Solution& solution, float scale,
+                                  float fps) {
     // A rolling sole differs from the ground by up to a quarter of the speed; what differs by more does not stand.
     const float speed = std::sqrt(solution.vx * solution.vx + solution.vz * solution.vz);
-    const float cut = std::max(0.12f * scale, 0.15f * speed);
+    // At few frames a second a runner's stance is two frames long, and differences over it include landing or leaving.
+    const float coarse = std::clamp((60 - fps) / 30, 0.0f, 1.0f) * std::clamp(0.5f * speed - 1, 0.0f, 1.0f);
+    const float cut = std::max(0.12f * scale, (0.10f + 0.15f * coarse) * speed);
     std::vector<float> weights;
     for (const Sample& s : samples) {
         const float d = solution.slip(s) / cut, q = 1 / (1 + d * d);
@@ -160,41 +172,35 @@ std::vector<float> robust_weights(const std::vector<Sample>& samples, const Solu
     return weights;
 }
 
-/// May the middles of flat stances speak for the whole clip? Not where the hips were held still frame by frame: the
-/// surge of the body is in the feet then, which are slowest in the middle.
-bool settled_speak(const std::vector<Sample>& samples, const Tracks& tracks, Vec3 centre, float scale) {
-    double stray = 0;
-    for (const Transform& hips : tracks.hips) {
-        const float d = planar_length(hips.translation - centre) / scale;
-        stray += static_cast<double>(d * d);
+Solution solve(const std::vector<Sample>& samples, float scale, float fps, const float* given_turn,
+               std::vector<float>& weights) {
+    Solution solution = median_start(samples);
+    for (int round = 0; round < k_rounds; ++round) {
+        weights = robust_weights(samples, solution, scale, fps);
+        solution = least_squares(samples, weights, given_turn);
     }
-    const std::size_t frames = tracks.hips.size();
-    if (stray < static_cast<double>(k_held_hips * k_held_hips) * static_cast<double>(frames)) return false;
-    std::vector<char> seen(frames);
-    for (const Sample& s : samples) seen[static_cast<std::size_t>(s.frame)] |= s.settled ? 1 : 0;
-    return static_cast<float>(std::count(seen.begin(), seen.end(), 1)) > k_settled_share * static_cast<float>(frames);
+    return solution;
 }
 
-/// Mean slip over time, of settled samples only where they speak for all: frames in which no point stands take the mean
-/// of their neighbours in time.
+/// Mean slip over time: frames in which no point stands take the mean of their neighbours in time.
 Solution averaged_over_time(const std::vector<Sample>& samples, const std::vector<float>& weights,
-                            const Solution& start, int frames, bool settled, float& coverage) {
-    std::vector<float> standing(static_cast<std::size_t>(frames)), total(standing), x(standing), z(standing);
+                            const Solution& start, int frames, float sure_share, float& coverage) {
+    std::vector<float> total(static_cast<std::size_t>(frames)), x(total.size()), z(total.size());
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (samples[i].rotation) continue;
         const std::size_t f = static_cast<std::size_t>(samples[i].frame);
-        standing[f] += weights[i];
-        if (settled && !samples[i].settled) continue;
         total[f] += weights[i];
         x[f] += weights[i] * start.slip_x(samples[i]);
         z[f] += weights[i] * start.slip_z(samples[i]);
     }
+    const float sure = std::max(0.01f, sure_share * percentile(total, 0.95f));
     double sum_x = 0, sum_z = 0, time = 0;
-    int previous = -1;
+    int covered = 0, previous = -1;
     float px = 0, pz = 0;
     for (int f = 0; f < frames; ++f) {
         const std::size_t i = static_cast<std::size_t>(f);
-        if (total[i] < 0.1f) continue;
+        covered += total[i] > 0.01f;
+        if (total[i] < sure) continue;
         const float nx = x[i] / total[i], nz = z[i] / total[i];
         if (previous >= 0) {  // trapezoids between covered frames
             const double step = f - previous;
@@ -204,7 +210,6 @@ Solution averaged_over_time(const std::vector<Sample>& samples, const std::vecto
         }
         previous = f, px = nx, pz = nz;
     }
-    const auto covered = std::count_if(standing.begin(), standing.end(), [](float w) { return w >= 0.1f; });
     coverage = frames ? static_cast<float>(covered) / static_cast<float>(frames) : 0;
     if (!(time > 0)) return start;
     return {start.vx - static_cast<float>(sum_x / time), start.vz - static_cast<float>(sum_z / time), start.turn};
@@ -212,22 +217,26 @@ Solution averaged_over_time(const std::vector<Sample>& samples, const std::vecto
 
 }  // namespace
 
-GroundMotion estimate_ground_motion(const Tracks& tracks, float leg_length) {
+GroundMotion estimate_ground_motion(const Tracks& tracks, float leg_length, const float* given_turn) {
     GroundMotion motion;
     const float scale = leg_length > 0.05f ? leg_length / k_standard_leg : 1;
     for (const Transform& hips : tracks.hips)
         motion.centre += hips.translation / static_cast<float>(tracks.hips.size());
     motion.centre.y = 0;
-    const std::vector<Sample> samples = standing_samples(tracks, motion.centre, scale);
-    if (samples.empty()) return motion;
-    Solution solution = median_start(samples);
     std::vector<float> weights;
-    for (int round = 0; round < k_rounds; ++round) {
-        weights = robust_weights(samples, solution, scale);
-        solution = least_squares(samples, weights);
-    }
-    const bool settled = settled_speak(samples, tracks, motion.centre, scale);
-    solution = averaged_over_time(samples, weights, solution, tracks.frame_count(), settled, motion.coverage);
+    // Turn first: a rolling foot moves too slowly but in the right direction, so what it says of the turn counts, and
+    // both ends of long stances hold the turn much better than flat feet alone. The two answers err independently.
+    std::vector<Sample> samples = standing_samples(tracks, motion.centre, scale, 1);
+    if (samples.empty()) return motion;
+    const float rolling_turn = solve(samples, scale, tracks.fps, nullptr, weights).turn;
+    const bool held = holds_hips_still(tracks, motion.centre, scale);
+    if (!held && flat_share(samples, tracks.frame_count()) > k_flat_runner)  // a sprinter never has a foot flat
+        samples = standing_samples(tracks, motion.centre, scale, k_rolling_share);
+    const float flat_turn = solve(samples, scale, tracks.fps, nullptr, weights).turn;
+    const float turn = given_turn ? *given_turn : k_rolling_turn * rolling_turn + (1 - k_rolling_turn) * flat_turn;
+    Solution solution = solve(samples, scale, tracks.fps, &turn, weights);
+    solution = averaged_over_time(samples, weights, solution, tracks.frame_count(), held ? k_sure_held : k_sure,
+                                  motion.coverage);
     motion.velocity = {solution.vx, 0, solution.vz};
     motion.turn = solution.turn;
     double slip = 0, total = 0;

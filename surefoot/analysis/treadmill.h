@@ -17,11 +17,11 @@ struct GroundMotion {
 };
 
 /// Solves v = -(V + omega x r) over the standing sole points of both feet by iteratively reweighted least squares
-/// (weights fall with height, vertical speed and disagreement), then averages V evenly over time, not over samples, so
-/// that a pelvis that is slowest at mid-stance does not bias it; over the middles of flat stances alone where the hips
-/// move freely and enough of the clip has such. Needs soles and the ground at y = 0. In a clip with
-/// root motion the result is the slip of its feet.
-GroundMotion estimate_ground_motion(const Tracks& tracks, float leg_length);
+/// (weights fall with height, vertical speed and disagreement), then averages V evenly over time, not over samples. The
+/// speed rests on feet that lie flat, since rolling ones creep forward; on whole stances where the hips were held still
+/// frame by frame (a pelvis is slowest at mid-stance) or the feet never lie flat. Needs soles and the ground at y = 0.
+/// In a clip with root motion the result is the slip of its feet. `given_turn` [rad/s]: known, and not sought.
+GroundMotion estimate_ground_motion(const Tracks& tracks, float leg_length, const float* given_turn = nullptr);
 
 /// The path of a frame that starts at the origin and moves with constant velocity [m/s] and turn [rad/s] in its own
 /// space, about `centre`, sampled at `fps`: multiply a motion in place by it and it travels.

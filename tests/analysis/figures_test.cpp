@@ -55,9 +55,7 @@ TEST(cmu_walks, speed_is_the_hips_displacement_over_time) {
 
 TEST(cmu_walks, made_in_place_they_travel_as_their_feet_say) {
     SUREFOOT_NEED_MOTION_DATA(folder);
-    // Aimed at: 4 % and 8 deg/s (DESIGN §5). One slow walk and the briskest one miss it: the feet of the first hardly
-    // lie flat, those of the second twist on the floor. So all but one are held to the aim, and that one to its own
-    // bound.
+    // Aimed at: 4 % and 8 deg/s (DESIGN §5).
     std::vector<float> speeds, turns;
     for (const Walk& walk : straight_walks(folder)) {
         const ClipFacts whole = analyzed(walk.clip).facts;
@@ -72,16 +70,10 @@ TEST(cmu_walks, made_in_place_they_travel_as_their_feet_say) {
         turns.push_back(std::fabs(turn));
         EXPECT_NEAR(facts.cadence / whole.cadence, 1, 0.03f) << facts.name;
     }
-    const auto second_worst = [](std::vector<float> values) {
-        std::sort(values.begin(), values.end());
-        return values[values.size() - 2];
-    };
     EXPECT_LT(test::median(speeds), 0.03f);
-    EXPECT_LT(second_worst(speeds), 0.04f);
-    EXPECT_LT(*std::max_element(speeds.begin(), speeds.end()), 0.05f);
+    EXPECT_LT(*std::max_element(speeds.begin(), speeds.end()), 0.04f);
     EXPECT_LT(test::median(turns), 5);
-    EXPECT_LT(second_worst(turns), 8);
-    EXPECT_LT(*std::max_element(turns.begin(), turns.end()), 12);
+    EXPECT_LT(*std::max_element(turns.begin(), turns.end()), 8);
 }
 
 TEST(cmu_walks, with_hips_held_still_frame_by_frame_they_read_low_but_within_bounds) {
@@ -158,11 +150,10 @@ TEST(o3de_takes, hold_many_cycles_that_loop_at_many_speeds_and_turns) {
 
 TEST(ual1_clips, are_locomotion_or_say_why_not) {
     SUREFOOT_NEED_MOTION_DATA(folder);
-    // Not in the table: Sprint_Loop, whose stances of three frames are not found as such (its twin of more frames in
-    // basic_vrm_names, tested below, is locomotion); and, since people differ: idles of a fighter or a talker may stand
-    // in a locomotion space or not; and "Idle" and "Walk", which despite their names are single held poses here.
-    const std::set<std::string> yes = {"Walk_Loop",       "Walk_Formal_Loop", "Jog_Fwd_Loop",
-                                       "Crouch_Fwd_Loop", "Idle_Loop",        "Crouch_Idle_Loop"};
+    // Not in the table, since people differ: idles of a fighter or a talker may stand in a locomotion space or not; and
+    // "Idle" and "Walk", which despite their names are single held poses here.
+    const std::set<std::string> yes = {"Walk_Loop", "Walk_Formal_Loop", "Jog_Fwd_Loop", "Crouch_Fwd_Loop",
+                                       "Idle_Loop", "Crouch_Idle_Loop", "Sprint_Loop"};
     const std::set<std::string> no = {"A_TPose",
                                       "T-Pose",
                                       "Dance_Loop",
@@ -228,10 +219,18 @@ TEST(ual1_clips, are_locomotion_or_say_why_not) {
     // The collection's own notes give rough ground speeds of these.
     EXPECT_NEAR(facts["Walk_Loop"].speed, 1.1f, 0.06f);
     EXPECT_NEAR(facts["Walk_Formal_Loop"].speed, 1.05f, 0.06f);
-    EXPECT_NEAR(facts["Crouch_Fwd_Loop"].speed, 0.8f, 0.06f);
+    EXPECT_NEAR(facts["Crouch_Fwd_Loop"].speed, 0.8f, 0.1f);  // its feet disagree by as much
     EXPECT_NEAR(facts["Jog_Fwd_Loop"].speed, 5.7f, 0.5f);
-    for (const char* straight : {"Walk_Loop", "Walk_Formal_Loop", "Crouch_Fwd_Loop"})
+    EXPECT_NEAR(facts["Sprint_Loop"].speed, sprint.facts.speed, 1);  // the same sprint at 24 frames a second
+    for (const char* straight : {"Walk_Loop", "Walk_Formal_Loop", "Crouch_Fwd_Loop", "Jog_Fwd_Loop", "Sprint_Loop"}) {
         EXPECT_NEAR(facts[straight].turn, 0, 8) << straight;
+        EXPECT_NEAR(facts[straight].travel, 0, 8) << straight;
+        int strikes[2] = {0, 0};
+        for (const PhaseEvent& event : facts[straight].events)
+            if (event.kind == StrideEvent::strike) ++strikes[static_cast<int>(event.foot)];
+        EXPECT_EQ(strikes[0], 1) << straight;
+        EXPECT_EQ(strikes[1], 1) << straight;
+    }
 }
 
 }  // namespace
