@@ -15,8 +15,11 @@ namespace surefoot {
 
 namespace {
 
-/// Frame intervals of a two-step cycle at `cadence` steps a minute, even, so that half a cycle is whole frames.
-int intervals_at(float cadence) { return 2 * static_cast<int>(std::floor(60 * k_gait_fps / cadence + 0.5f)); }
+/// Frame intervals of a two-step cycle at `cadence` steps a minute, even, so that half a cycle is whole frames. Bounded
+/// for gaits that go nowhere, which set their own number afterwards.
+int intervals_at(float cadence) {
+    return 2 * static_cast<int>(std::floor(60 * k_gait_fps / std::fmax(cadence, 30.0f) + 0.5f));
+}
 float walking_cadence(float speed) { return std::sqrt(60 * speed / 0.0063f); }
 float running_cadence(float speed) { return 145 + 8 * speed; }
 
