@@ -4,6 +4,8 @@
 
 #include <surefoot/base/error.h>
 
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -15,6 +17,14 @@
 namespace surefoot {
 
 using Json = nlohmann::ordered_json;
+
+/// The shortest decimal that reads back as the same float: 1.4, not 1.399999976158142.
+inline Json short_number(float value) {
+    const std::string text = fmt::format("{}", value);
+    double shortest = 0;
+    fast_float::from_chars(text.data(), text.data() + text.size(), shortest);
+    return shortest;
+}
 
 /// A node of a file being read. Objects remember which keys were asked for; `finish` reports the others.
 class JsonNode {

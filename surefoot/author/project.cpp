@@ -1,27 +1,16 @@
 #include <surefoot/analysis/facts_json.h>
-#include <surefoot/author/json_node.h>
+#include <surefoot/author/probe_json.h>
 #include <surefoot/author/project.h>
 #include <surefoot/host/files.h>
-
-#include <fast_float/fast_float.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 
 namespace surefoot {
 namespace {
 
-/// The shortest decimal that reads back as the same float: 1.4, not 1.399999976158142.
-Json number(float value) {
-    const std::string text = fmt::format("{}", value);
-    double shortest = 0;
-    fast_float::from_chars(text.data(), text.data() + text.size(), shortest);
-    return shortest;
-}
-
 Json numbers(const std::vector<float>& values) {
     Json result = Json::array();
-    for (const float value : values) result.push_back(number(value));
+    for (const float value : values) result.push_back(short_number(value));
     return result;
 }
 
@@ -79,14 +68,14 @@ Json to_json(const Project& project, const ProjectSpace& space) {
     for (const Axis& axis : space.space.axes)
         result["axes"].push_back({{"name", axis.name},
                                   {"unit", axis.unit},
-                                  {"low", number(axis.low)},
-                                  {"high", number(axis.high)},
+                                  {"low", short_number(axis.low)},
+                                  {"high", short_number(axis.high)},
                                   {"wraps", axis.wraps}});
     result["samples"] = Json::array();
     const auto clip_name = [&](int sample) { return project.clips[space.clips[sample]].name; };
     for (std::size_t i = 0; i < space.space.samples.size(); ++i) {
         Json at = Json::array();
-        for (int k = 0; k < space.space.dimensions(); ++k) at.push_back(number(space.space.samples[i][k]));
+        for (int k = 0; k < space.space.dimensions(); ++k) at.push_back(short_number(space.space.samples[i][k]));
         result["samples"].push_back({{"clip", clip_name(static_cast<int>(i))}, {"at", at}});
     }
     result["simplices"] = Json::array();
@@ -336,6 +325,7 @@ Project read_project(JsonNode node) {
     if (node.has("placeholders"))
         for (const JsonNode& entry : node.at("placeholders").items())
             project.placeholders.push_back(read_placeholder(entry));
+    if (node.has("probe")) project.probe = read_probe(node.at("probe"), project.probe_before);
     Json unknown = Json::object();
     for (const std::string& key : node.unknown()) unknown[key] = node.json()[key];
     if (!unknown.empty()) project.unknown = unknown.dump();
@@ -409,6 +399,8 @@ std::string project_json(const Project& project) {
     for (const Finding& finding : project.findings) json["findings"].push_back(to_json(finding));
     json["placeholders"] = Json::array();
     for (const Placeholder& placeholder : project.placeholders) json["placeholders"].push_back(to_json(placeholder));
+    if (!project.probe.empty() || project.probe_before)
+        json["probe"] = to_json(project.probe, project.probe_before ? &*project.probe_before : nullptr);
     json["clips"] = Json::array();
     for (const ProjectClip& clip : project.clips) json["clips"].push_back(to_json(clip));
     if (!project.unknown.empty()) {
@@ -428,7 +420,7 @@ std::string clip_extras_json(const ProjectClip& clip) {
     for (const PhaseEvent& event : clip.facts.events)
         events.push_back({{"foot", event.foot == Side::left ? "left" : "right"},
                           {"kind", event.kind == StrideEvent::strike ? "strike" : "toe_off"},
-                          {"time_s", number(event.time)}});
+                          {"time_s", short_number(event.time)}});
     Json json;
     json["source"] = {{"file", clip.source}, {"first_frame", clip.source_first}, {"last_frame", clip.source_last}};
     json["provenance"] = clip.provenance;
@@ -436,11 +428,11 @@ std::string clip_extras_json(const ProjectClip& clip) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string findings_json(const std::vector<Finding>& findings) {
+std::string findings_json(const std::vector<Finding>& findings, const ProbeResult& probe) {
     Json json;
     json["findings"] = Json::array();
     for (const Finding& finding : findings) json["findings"].push_back(to_json(finding));
-    json["probe"] = Json::object();
+    json["probe"] = to_json(probe, nullptr);
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -6,6 +6,7 @@
 
 #include <surefoot/analysis/clip_facts.h>
 #include <surefoot/author/finding.h>
+#include <surefoot/author/probe_result.h>
 #include <surefoot/rig/roles.h>
 
 #include <array>
@@ -63,6 +64,8 @@ struct Project {
     std::vector<ProjectSpace> spaces;
     std::vector<Finding> findings;
     std::vector<Placeholder> placeholders;
+    ProbeResult probe;                        ///< of the spaces as they are; empty where nobody probed
+    std::optional<ProbeResult> probe_before;  ///< of the spaces before the repairs of the last run
     /// Keys of the file that this version does not know, as JSON text of one object; kept when saved.
     std::string unknown;
 
@@ -87,7 +90,7 @@ std::string project_json(const Project& project);
 /// What travels with a clip's .glb, as a JSON object: where it comes from and when its feet strike.
 std::string clip_extras_json(const ProjectClip& clip);
 
-/// Findings in the shape of `surefoot lint --json`.
-std::string findings_json(const std::vector<Finding>& findings);
+/// Findings in the shape of `surefoot lint --json`, with what the probe found ("probe" is {} without a probe).
+std::string findings_json(const std::vector<Finding>& findings, const ProbeResult& probe = {});
 
 }  // namespace surefoot

@@ -90,6 +90,7 @@ TEST(project, a_change_of_any_kind_is_seen_by_comparison) {
     EXPECT_TRUE(differs([](Project& p) { p.spaces[0].space.samples[0][0] = 9; }));
     EXPECT_TRUE(differs([](Project& p) { p.placeholders[0].target[0] += 1; }));
     EXPECT_TRUE(differs([](Project& p) { p.lint.clear(); }));
+    EXPECT_TRUE(differs([](Project& p) { p.probe.spaces.emplace_back(); }));
     EXPECT_FALSE(differs([](Project&) {}));
 }
 
