@@ -211,6 +211,18 @@ void place_clips(Project& project, std::span<const std::string> axes, const Proj
     }
 }
 
+bool moves_along_facing(std::span<const ProjectSpace> spaces, std::int32_t clip, const ClipFacts& facts) {
+    bool along = false;
+    for (const ProjectSpace& space : spaces) {
+        if (std::find(space.clips.begin(), space.clips.end(), clip) == space.clips.end()) continue;
+        const auto& axes = space.space.axes;
+        if (std::none_of(axes.begin(), axes.end(), [](const Axis& a) { return a.name == "speed"; })) return false;
+        along = true;
+    }
+    const float off = std::fabs(facts.travel);
+    return along && (off < 45.0f || off > 135.0f);
+}
+
 std::string describe_place(std::span<const Axis> axes, std::span<const float> values) {
     std::string text;
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };

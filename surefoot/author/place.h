@@ -41,6 +41,10 @@ void set_limits(Axis& axis, std::span<const float> values);
 void place_clips(Project& project, std::span<const std::string> axes, const Project* before,
                  std::vector<std::string>& warnings);
 
+/// Whether a clip of these spaces moves straight along its facing when it is packed (PackOptions::along_travel): one of
+/// a space that only knows speed does, unless a space with a sideways axis needs it as it is.
+bool moves_along_facing(std::span<const ProjectSpace> spaces, std::int32_t clip, const ClipFacts& facts);
+
 /// A place in words: "1.4 m/s forward, turning 90 deg/s to the left". `axes` and `values` run in parallel.
 std::string describe_place(std::span<const Axis> axes, std::span<const float> values);
 

@@ -16,10 +16,6 @@ struct Source {
 /// Clips that the spaces use: indices, ascending. Throws Error where there are none or one is out of range.
 std::vector<std::int32_t> used_clips(std::span<const ProjectSpace> spaces, std::size_t available);
 
-/// Clips of a space that only knows speed move straight along the facing (PackOptions::along_travel), unless a space
-/// with a sideways axis needs them as they are.
-bool moves_along_facing(std::span<const ProjectSpace> spaces, std::int32_t clip, const ClipFacts& facts);
-
 /// Packs the sources (those of `used`, in its order) in parallel and joins them with the spaces; the body is not
 /// filled.
 Character bake(const std::string& name, std::span<const Source> sources, std::span<const ProjectSpace> spaces,

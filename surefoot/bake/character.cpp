@@ -1,4 +1,5 @@
 #include <surefoot/analysis/analyze.h>
+#include <surefoot/author/place.h>
 #include <surefoot/bake/baking.h>
 #include <surefoot/base/error.h>
 #include <surefoot/host/parallel.h>
@@ -9,10 +10,6 @@
 namespace surefoot {
 
 namespace {
-
-bool has_axis(const ProjectSpace& space, std::string_view name) {
-    return std::any_of(space.space.axes.begin(), space.space.axes.end(), [&](const Axis& a) { return a.name == name; });
-}
 
 SpaceDefinition definition_of(std::span<const ProjectSpace> spaces, std::string_view name,
                               const std::vector<std::int32_t>& used) {
@@ -53,17 +50,6 @@ std::vector<std::int32_t> used_clips(std::span<const ProjectSpace> spaces, std::
     if (used.empty())
         throw Error("no blend space has any clip", "the project", "run 'surefoot author' on clips that walk or run");
     return used;
-}
-
-bool moves_along_facing(std::span<const ProjectSpace> spaces, std::int32_t clip, const ClipFacts& facts) {
-    bool along = false;
-    for (const ProjectSpace& space : spaces) {
-        if (std::find(space.clips.begin(), space.clips.end(), clip) == space.clips.end()) continue;
-        if (!has_axis(space, "speed")) return false;
-        along = true;
-    }
-    const float off = std::fabs(facts.travel);
-    return along && (off < 45.0f || off > 135.0f);
 }
 
 Character bake(const std::string& name, std::span<const Source> sources, std::span<const ProjectSpace> spaces,

@@ -2,8 +2,8 @@
 // A project becomes a character: its clips packed, its blend spaces joined to them, its legs measured.
 
 #include <surefoot/author/project.h>
-#include <surefoot/bake/pack_clip.h>
 #include <surefoot/graph/locomotion.h>
+#include <surefoot/pack/pack_clip.h>
 #include <surefoot/rig/leg.h>
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+#include <surefoot/author/place.h>
 #include <surefoot/bake/baking.h>
 #include <surefoot/base/error.h>
 #include <surefoot/host/files.h>

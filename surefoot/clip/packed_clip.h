@@ -1,6 +1,6 @@
 #pragma once
 // The runtime form of a clip: 16-bit rotations in blocks of eight joints, the few translations that move, root motion
-// and phase apart. Immutable, shared by all characters. Made by bake/pack_clip.h, which also measures the error.
+// and phase apart. Immutable, shared by all characters. Made by pack/pack_clip.h, which also measures the error.
 
 #include <surefoot/math/transform.h>
 

@@ -1,5 +1,5 @@
-#include <surefoot/bake/steady_root.h>
 #include <surefoot/graph/locomotion.h>
+#include <surefoot/pack/steady_root.h>
 
 namespace surefoot {
 

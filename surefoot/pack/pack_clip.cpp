@@ -1,8 +1,8 @@
-#include <surefoot/bake/pack_clip.h>
-#include <surefoot/bake/steady_root.h>
 #include <surefoot/base/error.h>
 #include <surefoot/clip/sample.h>
 #include <surefoot/graph/locomotion.h>
+#include <surefoot/pack/pack_clip.h>
+#include <surefoot/pack/steady_root.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include <surefoot/bake/pack_clip.h>
 #include <surefoot/base/error.h>
 #include <surefoot/clip/sample.h>
 #include <surefoot/graph/locomotion.h>
 #include <surefoot/io/load.h>
 #include <surefoot/motion/root_motion.h>
+#include <surefoot/pack/pack_clip.h>
 
 #include "tests/support/motion_data.h"
 #include "tests/support/random_clips.h"
