@@ -1,3 +1,4 @@
+#include <surefoot/author/json_node.h>
 #include <surefoot/author/probe_json.h>
 
 namespace surefoot {

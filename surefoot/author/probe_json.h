@@ -1,13 +1,16 @@
 #pragma once
-// A probe's result in the project file. Private to the room: brings in all of nlohmann/json.
+// A probe's result in the project file. Private to the room.
 
-#include <surefoot/author/json_node.h>
 #include <surefoot/author/probe_result.h>
+
+#include <nlohmann/json_fwd.hpp>
 
 namespace surefoot {
 
+class JsonNode;
+
 /// See probe_json of probe_result.h.
-Json to_json(const ProbeResult& result, const ProbeResult* before);
+nlohmann::ordered_json to_json(const ProbeResult& result, const ProbeResult* before);
 
 /// Reads what to_json wrote; the summary is not read, it follows from the cells. `before` is filled where the file has
 /// one. Throws Error at the node that is wrong.

@@ -1,4 +1,5 @@
 #include <surefoot/analysis/facts_json.h>
+#include <surefoot/author/json_node.h>
 #include <surefoot/author/probe_json.h>
 #include <surefoot/author/project.h>
 #include <surefoot/host/files.h>
