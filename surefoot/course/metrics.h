@@ -5,38 +5,14 @@
 //
 // All derivatives are taken after a Gaussian of 25 ms. Lengths in the result are centimetres, angles degrees.
 
+#include <surefoot/analysis/leg_track.h>
 #include <surefoot/ground/ground.h>
-#include <surefoot/motion/motion.h>
-#include <surefoot/rig/leg.h>
 
 #include <array>
 #include <string>
 #include <vector>
 
 namespace surefoot {
-
-inline constexpr int k_sole_points = 4;  ///< heel, mid-sole, ball, toe tip
-
-/// World positions of one leg at one frame.
-struct LegTrack {
-    Vec3 hip, knee, ankle;
-    std::array<Vec3, k_sole_points> sole;
-    Vec3 sole_up{0, 1, 0};  ///< unit: away from the ground, of the foot
-};
-
-struct TrackFrame {
-    RootFrame root;
-    Vec3 hips;
-    std::array<LegTrack, 2> legs;
-};
-
-struct WalkTrack {
-    float fps = 60;
-    std::vector<TrackFrame> frames;
-};
-
-/// The track of a world motion.
-WalkTrack make_track(const Motion& motion, const Legs& legs);
 
 /// Figures of planted points are NaN (`null` in JSON) where no point is planted; those of the sole's angle, where heel
 /// and ball never stand at once.
@@ -60,10 +36,6 @@ struct WalkMetrics {
 /// The first and last `margin` seconds are left out of derivatives.
 WalkMetrics measure_walk(const WalkTrack& walked, const WalkTrack& twin, const Ground& ground,
                          const RootFrame& requested_end, float margin = 0.5f);
-
-/// When a sole point (0 heel, 1 mid, 2 ball, 3 toe tip) of the flat twin is planted: within 1.5 cm of its own 3rd
-/// percentile of height and slower than 0.25 m/s.
-std::vector<bool> planted_frames(const WalkTrack& twin, std::size_t side, std::size_t point);
 
 /// What the ratios are against.
 struct TwinFigures {
