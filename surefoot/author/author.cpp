@@ -117,6 +117,12 @@ void write_clips(const fs::path& folder, const Project& project, const std::vect
     });
 }
 
+std::vector<AnalyzedClip> clips_of(const std::vector<Candidate>& candidates) {
+    std::vector<AnalyzedClip> clips;
+    for (const Candidate& candidate : candidates) clips.push_back(candidate.clip);
+    return clips;
+}
+
 /// Everything after loading.
 AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const AuthorOptions& options,
                    AuthorResult result) {
@@ -149,6 +155,9 @@ AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const 
     for (const Candidate& candidate : gathered.kept) result.cycles_placed += candidate.cut_from_take;
 
     place_clips(project, options.axes, before ? &*before : nullptr, result.warnings);
+    if (options.probe && options.grid > 0) result.unsnapped = options.probe(clips_of(gathered.kept), project.spaces);
+    if (options.grid > 0) result.snap = snap_to_grid(project, options.grid, result.warnings);
+    if (options.probe) project.probe = options.probe(clips_of(gathered.kept), project.spaces);
     std::vector<PoseTable> poses(project.clips.size());
     parallel_for(gathered.kept.size(), [&](std::size_t i) {
         const AnalyzedClip& clip = gathered.kept[i].clip;

@@ -2,8 +2,10 @@
 // From clips to a blend space: load, measure, cut, place, triangulate, lint, write. No manual step.
 
 #include <surefoot/author/project.h>
+#include <surefoot/author/snap_grid.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -11,7 +13,12 @@
 
 namespace surefoot {
 
+struct AnalyzedClip;
 struct Motion;
+
+/// Plays the spaces and measures them (probe/probe.h, which leans on this room). The spaces' clips index into `clips`.
+using SpaceProbe =
+    std::function<ProbeResult(std::span<const AnalyzedClip> clips, std::span<const ProjectSpace> spaces)>;
 
 struct AuthorOptions {
     std::string name;              ///< title of the report; default: the output folder's name
@@ -20,6 +27,8 @@ struct AuthorOptions {
     /// Axis pairs to build, as "speed,turn" or "forward,lateral"; empty: as many spaces as the clips need.
     std::vector<std::string> axes;
     bool mannequin = true;  ///< clips are written with a skinned mannequin
+    int grid = 0;           ///< divisions of an engine's grid that samples are moved to (snap_grid.h); 0: none
+    SpaceProbe probe;       ///< measures the placed spaces, for findings and report; none: not probed
 };
 
 struct AuthorResult {
@@ -27,6 +36,8 @@ struct AuthorResult {
     std::vector<std::string> warnings;
     std::vector<std::string> failed;  ///< files that could not be read, with the reason
     std::filesystem::path project_file, report_file;
+    GridSnap snap;              ///< what the grid moved
+    ProbeResult unsnapped;      ///< the probe without the grid, where there is a grid
     int takes = 0;              ///< clips that do not loop as they are and were searched for cycles
     int takes_with_cycles = 0;  ///< those of them where any was found
     int cycles_found = 0, cycles_placed = 0;

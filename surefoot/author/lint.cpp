@@ -91,6 +91,33 @@ const std::vector<LintRule>& lint_rules() {
          Severity::warning,
          {{"low", 0.3, "m", "lowest hips"}, {"high", 2, "m", "highest hips"}},
          "The character's size is not a person's: speeds and steps will be off by the same factor."},
+        {"probe-speed",
+         "Blend goes at another speed",
+         Severity::warning,
+         {{"error", 10, "%", "of the speed asked for, or of 0.5 m/s where that is more"}},
+         "Asked for a speed, the feet walk at another one: they slide over the ground by the difference."},
+        {"probe-turn",
+         "Blend turns otherwise",
+         Severity::warning,
+         {{"error", 10, "deg/s", "of the turn asked for"}},
+         "The body turns while the feet do not follow: they twist on the ground."},
+        {"probe-skate",
+         "Blend skates",
+         Severity::warning,
+         {{"ratio", 1.5, "times", "the skate of the clips that are blended"},
+          {"more", 3, "cm/s", "than those, at least"}},
+         "Between the clips planted feet slide, though in each clip alone they stand."},
+        {"probe-knee",
+         "Blend jerks a knee",
+         Severity::warning,
+         {{"ratio", 2, "times", "the clips' own peak of angular acceleration"},
+          {"more", 2000, "deg/s^2", "than those, at least"}},
+         "A knee snaps or trembles in the blend, though in each clip alone it moves smoothly."},
+        {"probe-legs-cross",
+         "Legs pass through each other",
+         Severity::warning,
+         {{"depth", 1, "cm", "how deep, and how much closer than in any of the clips"}},
+         "The shanks or feet go through each other in the blend."},
     };
     return rules;
 }
@@ -225,6 +252,7 @@ LintResult lint(const Project& project, std::span<const PoseTable> poses) {
         for (const ProjectSpace& space : project.spaces) rule(context, space);
     for (const ProjectClip& clip : project.clips)
         if (!clip.excluded) lint_clip(context, clip);
+    lint_probe(context);
 
     for (const auto& [id, setting] : project.lint) {
         const auto& rules = lint_rules();

@@ -39,7 +39,8 @@ struct LintResult {
 };
 
 /// Checks the spaces and clips of a project under its own settings. `poses` holds a table for each clip of the project
-/// (empty tables where a clip is not at hand); without them the rules about poses are silent.
+/// (empty tables where a clip is not at hand); without them the rules about poses are silent. The rules about blends
+/// judge `project.probe`, which must be of the spaces as they are (probe/probe.h).
 LintResult lint(const Project& project, std::span<const PoseTable> poses = {});
 
 /// The worst severity among findings, if there are any at least as bad as `least`.

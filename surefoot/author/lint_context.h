@@ -76,5 +76,7 @@ void lint_dissimilar_neighbours(LintContext& context, const ProjectSpace& space)
 void lint_degenerate_space(LintContext& context, const ProjectSpace& space);
 void lint_missing_idle(LintContext& context, const ProjectSpace& space);
 void lint_clip(LintContext& context, const ProjectClip& clip);
+/// What the project's probe found; nothing where nobody probed.
+void lint_probe(LintContext& context);
 
 }  // namespace surefoot
