@@ -2,10 +2,12 @@
 
 #include "command.h"
 
+#include <surefoot/analysis/analyze.h>
 #include <surefoot/author/author.h>
 #include <surefoot/base/error.h>
 #include <surefoot/motion/motion.h>
 #include <surefoot/preset/default_set.h>
+#include <surefoot/probe/probe.h>
 
 #include <fmt/format.h>
 
@@ -22,7 +24,8 @@ struct Options {
     std::string folder, name;
     std::vector<std::string> axes;
     double unit_scale = 0;
-    bool strict = false, use_default = false, no_mannequin = false, json = false;
+    bool strict = false, use_default = false, no_mannequin = false, json = false, probe = false;
+    int grid = 0, probe_grid = 0;
 };
 
 void print_table(const Project& project) {
@@ -73,6 +76,21 @@ void print_findings(const Project& project) {
         if (count > k_most_of_a_kind) fmt::print("... and {} more of {}\n", count - k_most_of_a_kind, rule);
 }
 
+SpaceProbe make_probe(const Options& options) {
+    if (!options.probe && options.probe_grid == 0) return {};
+    return [grid = options.probe_grid](std::span<const AnalyzedClip> clips, std::span<const ProjectSpace> spaces) {
+        return probe(bake_character(clips, spaces), {grid});
+    };
+}
+
+/// What the grid moved, and what the probe found: where there is a grid, beside the space without it.
+void print_probe(const AuthorResult& result) {
+    if (!result.snap.samples.empty()) fmt::print("\nsnapped to the grid:\n{}", snap_table(result.project, result.snap));
+    if (result.project.probe.empty()) return;
+    if (!result.unsnapped.empty()) fmt::print("\nbefore and after snapping to the grid:");
+    fmt::print("\n{}", probe_table(result.project.probe, result.unsnapped.empty() ? nullptr : &result.unsnapped));
+}
+
 int run(const Options& options) {
     if (options.clips.empty() && !options.use_default)
         throw Error("no clips were given", "author", "name files or folders, or use --default for the generated set");
@@ -81,12 +99,14 @@ int run(const Options& options) {
     author.axes = options.axes;
     author.unit_scale = options.unit_scale;
     author.mannequin = !options.no_mannequin;
+    author.grid = options.grid;
+    author.probe = make_probe(options);
     const AuthorResult result = options.clips.empty() ? author_motions(make_default_set().clips, options.folder, author)
                                                       : author_clips(options.clips, options.folder, author);
     for (const std::string& failure : result.failed) fmt::print(stderr, "surefoot: {}\n", failure);
     for (const std::string& warning : result.warnings) fmt::print(stderr, "surefoot: {}\n", warning);
     if (options.json) {
-        std::fputs(findings_json(result.project.findings).c_str(), stdout);
+        std::fputs(findings_json(result.project.findings, result.project.probe).c_str(), stdout);
     } else {
         print_table(result.project);
         if (result.takes > 0)
@@ -94,6 +114,7 @@ int run(const Options& options) {
                        result.takes_with_cycles, result.takes, result.cycles_placed);
         print_left_out(result.project);
         print_findings(result.project);
+        print_probe(result);
         fmt::print("\nproject: {}\nreport:  {}\n", result.project_file.string(), result.report_file.string());
     }
     return options.strict && !result.failed.empty() ? 2 : 0;
@@ -116,6 +137,11 @@ const Command k_author{
             ->check(is_number);
         app.add_flag("--no-mannequin", options->no_mannequin, "write the clips without a body");
         app.add_flag("--strict", options->strict, "exit with 2 where a clip could not be read");
+        app.add_option("--grid", options->grid, "snap samples to an engine's grid of that many divisions an axis")
+            ->check(CLI::Range(k_coarsest_grid, k_finest_grid));
+        app.add_flag("--probe", options->probe, "play the spaces on a grid and measure each blend from its feet");
+        app.add_option("--probe-grid", options->probe_grid, "grid points an axis of the probe (default: by dimensions)")
+            ->check(CLI::Range(2, k_finest_probe_grid));
         app.add_flag("--json", options->json, "print the findings as JSON");
         return [options] { return run(*options); };
     }};

@@ -6,6 +6,7 @@
 #include <surefoot/base/error.h>
 #include <surefoot/host/parallel.h>
 #include <surefoot/io/load.h>
+#include <surefoot/probe/probe.h>
 
 #include <fmt/format.h>
 
@@ -17,7 +18,8 @@ namespace {
 
 struct Options {
     std::string project, fail_on = "info";
-    bool json = false;
+    bool json = false, probe = false;
+    int probe_grid = 0;
 };
 
 /// Poses of the project's clips, for the rules that compare them; a clip that cannot be read is left without, and said
@@ -50,21 +52,26 @@ std::vector<PoseTable> load_poses(const Project& project, const std::filesystem:
 int run(const Options& options) {
     namespace fs = std::filesystem;
     std::vector<std::string> warnings;
-    const Project project = load_project(options.project, &warnings);
+    Project project = load_project(options.project, &warnings);
     std::error_code ignored;
     const fs::path path = options.project;
     const fs::path folder = fs::is_directory(path, ignored) ? path : path.parent_path();
+    // What an earlier probe found may not be true any more.
+    project.probe = {};
+    if (options.probe || options.probe_grid > 0)
+        project.probe = probe(bake_character(project, folder), {options.probe_grid});
     LintResult result = lint(project, load_poses(project, folder, warnings));
     warnings.insert(warnings.end(), result.warnings.begin(), result.warnings.end());
     for (const std::string& warning : warnings) fmt::print(stderr, "surefoot: {}\n", warning);
     if (options.json) {
-        std::fputs(findings_json(result.findings).c_str(), stdout);
+        std::fputs(findings_json(result.findings, project.probe).c_str(), stdout);
     } else {
         for (const Finding& finding : result.findings) {
             fmt::print("{}: {}: {}\n", severity_name(finding.severity), finding.rule, finding.message);
             if (finding.fix) fmt::print("    mend it: {}\n", finding.fix->text);
         }
         if (result.findings.empty()) fmt::print("no findings\n");
+        if (!project.probe.empty()) fmt::print("\n{}", probe_table(project.probe));
     }
     return has_findings(result.findings, *severity_from_name(options.fail_on)) ? 1 : 0;
 }
@@ -76,6 +83,9 @@ const Command k_lint{"lint", "say what will go wrong when a project's clips are 
                          auto options = std::make_shared<Options>();
                          app.add_option("project", options->project, "project.json or its folder")->required();
                          app.add_flag("--json", options->json, "print the findings as JSON");
+                         app.add_flag("--probe", options->probe, "play the spaces on a grid and judge each blend too");
+                         app.add_option("--probe-grid", options->probe_grid, "grid points an axis of the probe")
+                             ->check(CLI::Range(2, k_finest_probe_grid));
                          app.add_option("--fail-on", options->fail_on, "least severity that makes the exit code 1")
                              ->check(CLI::IsMember({"error", "warning", "info"}))
                              ->capture_default_str();
