@@ -17,9 +17,7 @@ Edge edge_of(std::int32_t a, std::int32_t b) { return a < b ? Edge{a, b} : Edge{
 /// Triangles of a plane space with exact geometry, while diagonals are flipped.
 class Flipper {
   public:
-    explicit Flipper(const BlendSpace& space) : triangles_(space.simplices) {
-        for (const SpacePoint& sample : space.samples) points_.push_back(to_lattice(space.axes, sample));
-    }
+    explicit Flipper(const BlendSpace& space) : triangles_(space.simplices), points_(to_lattice(space)) {}
 
     int side(std::int32_t a, std::int32_t b, std::int32_t c) const {
         const LatticePoint corners[3] = {points_[a], points_[b], points_[c]};

@@ -11,6 +11,7 @@
 #include <surefoot/space/triangulate.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <numeric>
@@ -246,46 +247,71 @@ Triangulation triangulate(int dimensions, std::span<const LatticePoint> points) 
     return result;
 }
 
+namespace {
+
+/// Steps of an axis' range, numbers of many divisors: halves, thirds, tenths, fortieths of an axis are lattice points,
+/// so that sets which are symmetric, gridded or in line stay so.
+constexpr int k_used_steps = 65520;
+int steps_of(const Axis& axis) { return k_used_steps / (axis.wraps ? 3 : 2); }
+
+}  // namespace
+
 LatticePoint to_lattice(std::span<const Axis> axes, const SpacePoint& point) {
-    // 32760 steps a range, a number of many divisors: halves, thirds, tenths, fortieths of an axis are lattice points,
-    // so that sets which are symmetric, gridded or in line stay so.
-    constexpr int k_used_steps = 65520;
     LatticePoint result{};
     for (std::size_t k = 0; k < axes.size(); ++k) {
-        // Room for what lies beyond the limits, and for the copies of a wrapping axis: half a range on either side.
+        const int steps = steps_of(axes[k]);
         const double range = static_cast<double>(axes[k].high) - axes[k].low;
-        const double share = (static_cast<double>(point[k]) - axes[k].low + 0.5 * range) / (2.0 * range);
-        const double step = share * k_used_steps + 0.5;
+        const double share = (static_cast<double>(point[k]) - axes[k].low) / range;
+        const double step = share * steps + 0.5 * (k_used_steps - steps) + 0.5;
         result[k] = !(step > 0) ? 0 : step >= k_lattice_steps ? k_lattice_steps : static_cast<std::int32_t>(step);
     }
     return result;
 }
 
-int triangulate(BlendSpace& space) {
+std::vector<LatticePoint> to_lattice(const BlendSpace& space) {
     std::vector<LatticePoint> points;
-    for (const SpacePoint& sample : space.samples) points.push_back(to_lattice(space.axes, sample));
-    Triangulation result = triangulate(space.dimensions(), points);
+    for (std::size_t i = 0; i < space.samples.size(); ++i) {
+        const SpacePoint &sample = space.samples[i], &original = space.samples[space.original(static_cast<int>(i))];
+        LatticePoint point = to_lattice(space.axes, original);
+        for (std::size_t k = 0; k < space.axes.size(); ++k) {
+            const Axis& axis = space.axes[k];
+            if (sample[k] != original[k]) point[k] += sample[k] > original[k] ? steps_of(axis) : -steps_of(axis);
+        }
+        points.push_back(point);
+    }
+    return points;
+}
+
+int triangulate(BlendSpace& space) {
+    Triangulation result = triangulate(space.dimensions(), to_lattice(space));
     space.simplices = std::move(result.simplices);
     space.neighbours = std::move(result.neighbours);
     return result.rank;
 }
 
-std::vector<std::int32_t> add_wrap_copies(BlendSpace& space) {
-    std::vector<std::int32_t> original(space.samples.size());
-    std::iota(original.begin(), original.end(), 0);
+void add_wrap_copies(BlendSpace& space) {
+    space.copy_of.clear();
+    if (std::none_of(space.axes.begin(), space.axes.end(), [](const Axis& axis) { return axis.wraps; })) return;
+    space.copy_of.resize(space.samples.size());
+    std::iota(space.copy_of.begin(), space.copy_of.end(), 0);
     for (std::size_t k = 0; k < space.axes.size(); ++k) {
         const Axis& axis = space.axes[k];
         if (!axis.wraps) continue;
-        const float range = axis.high - axis.low, middle = axis.low + 0.5f * range;
+        const float range = axis.high - axis.low;
         const std::size_t count = space.samples.size();
         for (std::size_t i = 0; i < count; ++i) {
-            SpacePoint copy = space.samples[i];
-            copy[k] += copy[k] < middle ? range : -range;
-            space.samples.push_back(copy);
-            original.push_back(original[i]);
+            SpacePoint& sample = space.samples[i];
+            if (sample[k] < axis.low || sample[k] >= axis.high)  // high is low's place
+                sample[k] -= std::floor((sample[k] - axis.low) / range) * range;
         }
+        for (const float shift : {-range, range})
+            for (std::size_t i = 0; i < count; ++i) {
+                SpacePoint copy = space.samples[i];
+                copy[k] += shift;
+                space.samples.push_back(copy);
+                space.copy_of.push_back(space.copy_of[i]);
+            }
     }
-    return original;
 }
 
 }  // namespace surefoot

@@ -29,15 +29,20 @@ struct Triangulation {
 /// depend on how it was found.
 Triangulation triangulate(int dimensions, std::span<const LatticePoint> points);
 
-/// `point` on the lattice. The axes' limits take its middle half, so that there is room for samples beyond the limits
-/// and for the copies of a wrapping axis; what lies farther out is clamped.
+/// `point` on the lattice. The axes' limits take its middle half (of wrapping axes its middle third), so that there is
+/// room for samples beyond the limits and for the copies of a wrapping axis; what lies farther out is clamped.
 LatticePoint to_lattice(std::span<const Axis> axes, const SpacePoint& point);
+
+/// All samples on the lattice, copies exactly one range away from what they repeat.
+std::vector<LatticePoint> to_lattice(const BlendSpace& space);
 
 /// Fills simplices and neighbours of a space from its axes and samples, and returns the rank (see Triangulation).
 int triangulate(BlendSpace& space);
 
-/// Makes wrapping axes seamless: samples within half a range of either end of such an axis are repeated one range away.
-/// Returns, for each sample, the original that it stands for (itself for the originals). Call before triangulate.
-std::vector<std::int32_t> add_wrap_copies(BlendSpace& space);
+/// Makes wrapping axes seamless: brings all samples within their limits and repeats each a range below and a range
+/// above (of n wrapping axes, 3^n - 1 times), filling `copy_of`. Nothing happens where no axis wraps. Call it once,
+/// before triangulate. Three periods are enough: corners of a Delaunay simplex lie within half a range of its centre
+/// along a wrapping axis, so what covers the middle period is what infinitely many would give, the same at both ends.
+void add_wrap_copies(BlendSpace& space);
 
 }  // namespace surefoot
