@@ -49,7 +49,7 @@ SUREFOOT_INLINE Quat8<T> sum_block(const KeyPair* pairs, int count, int block) n
 }
 
 // Where a joint turns more than half a revolution from rest, the signs of two clips need not agree: each leaf joins on
-// the side of the sum so far.
+// the side of the sum so far, and one of negative weight, which comes after those, on the other.
 template <class T>
 SUREFOOT_INLINE Quat8<T> sum_turning_block(const KeyPair* pairs, int count, int block) noexcept {
     using F = Float8<T>;
@@ -62,7 +62,8 @@ SUREFOOT_INLINE Quat8<T> sum_turning_block(const KeyPair* pairs, int count, int 
         const F y = u * F::load_int16(a + 8) + v * F::load_int16(b + 8);
         const F z = u * F::load_int16(a + 16) + v * F::load_int16(b + 16);
         const F w = u * F::load_int16(a + 24) + v * F::load_int16(b + 24);
-        const F side = sum.x * x + sum.y * y + sum.z * z + sum.w * w;
+        const F towards = F::splat(pairs[i].from_weight + pairs[i].to_weight < 0 ? -1.0f : 1.0f);
+        const F side = (sum.x * x + sum.y * y + sum.z * z + sum.w * w) * towards;
         const Mask8<T> other = side < zero;
         sum.x += select(other, -x, x);
         sum.y += select(other, -y, y);

@@ -47,7 +47,7 @@ void sample_with(const ClipKernels& kernels, const Skeleton& skeleton, std::span
     std::memcpy(static_cast<void*>(locals.data()), skeleton.rest.data(), joints * sizeof(Transform));
     KeyPair pairs[k_max_leaves];
     int count = 0;
-    for (const Leaf& leaf : leaves) {
+    const auto add = [&](const Leaf& leaf) noexcept {
         const PackedClip& clip = clips[static_cast<std::size_t>(leaf.clip)];
         assert(clip.joint_count == skeleton.joint_count());
         const Keys keys = keys_at(clip, leaf.time);
@@ -57,7 +57,12 @@ void sample_with(const ClipKernels& kernels, const Skeleton& skeleton, std::span
         pairs[count++] = {from, from + frame, clip.turning_blocks.empty() ? nullptr : clip.turning_blocks.data(),
                           weight * (1.0f - keys.share), weight * keys.share};
         add_translations(skeleton, clip, keys, weight, locals);
-    }
+    };
+    // What is taken off comes last: signs of joints that turn far are told by the sum so far (kernels_impl.h).
+    for (const Leaf& leaf : leaves)
+        if (leaf.weight >= 0) add(leaf);
+    for (const Leaf& leaf : leaves)
+        if (leaf.weight < 0) add(leaf);
     kernels.blend_rotations(pairs, count, skeleton.joint_count(), &locals[0].rotation.x, k_transform_floats);
 }
 

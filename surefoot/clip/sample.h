@@ -12,13 +12,13 @@
 
 namespace surefoot {
 
-inline constexpr int k_max_leaves = 16;  ///< of one pose
+inline constexpr int k_max_leaves = 18;  ///< of one pose: two blend spaces that both extrapolate in four dimensions
 
 /// One clip that takes part in a pose.
 struct Leaf {
     std::int32_t clip = 0;  ///< index into the clips
     float time = 0;         ///< [s] in [0, duration]; outside, the nearest end
-    float weight = 0;       ///< [Limit: > 0] relative to the other leaves'; they need not add up to 1
+    float weight = 0;       ///< relative to the other leaves'; negative where a space extrapolates; the sum is > 0
 };
 
 /// The blended local pose: `locals` receives joint_count() transforms. All clips are of this skeleton; at least one

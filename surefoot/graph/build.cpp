@@ -14,12 +14,19 @@ RequestAxis axis_of(const std::string& name) noexcept {
     if (name == "turn") return RequestAxis::turn;
     if (name == "forward") return RequestAxis::forward;
     if (name == "lateral") return RequestAxis::lateral;
-    return RequestAxis::none;
+    if (name == "slope") return RequestAxis::slope;
+    if (name == "pace") return RequestAxis::pace;
+    if (name == "travel") return RequestAxis::travel;
+    return RequestAxis::custom;
 }
 
 /// A sample moves the root as its place says; what its place does not say, as its clip does.
 void declare_motion(LocomotionSpace& space, const std::vector<PackedClip>& clips) {
     const std::size_t count = std::min(space.space.samples.size(), space.clips.size());
+    const auto reads = [&](RequestAxis axis) {
+        return std::find(space.axes.begin(), space.axes.end(), axis) != space.axes.end();
+    };
+    const bool has_direction = reads(RequestAxis::pace) || reads(RequestAxis::travel);
     space.velocities.resize(count);
     space.turns.resize(count);
     for (std::size_t s = 0; s < count; ++s) {
@@ -27,6 +34,7 @@ void declare_motion(LocomotionSpace& space, const std::vector<PackedClip>& clips
         if (at >= clips.size()) continue;  // `problem` tells
         Vec3& velocity = space.velocities[s] = clips[at].velocity;
         float& turn = space.turns[s] = clips[at].turn_rate;
+        float pace = planar_length(velocity), travel = pace > 0 ? atan2(velocity.x, velocity.z) : 0.0f;
         for (std::size_t d = 0; d < space.space.axes.size() && d < space.axes.size(); ++d) {
             const float value = space.space.samples[s][d];
             switch (space.axes[d]) {
@@ -42,22 +50,35 @@ void declare_motion(LocomotionSpace& space, const std::vector<PackedClip>& clips
                 case RequestAxis::turn:
                     turn = value * k_radians_per_degree;
                     break;
+                case RequestAxis::pace:
+                    pace = value;
+                    break;
+                case RequestAxis::travel:
+                    travel = value * k_radians_per_degree;
+                    break;
+                case RequestAxis::slope:  // a clip climbs as it does
+                case RequestAxis::custom:
                 case RequestAxis::none:
                     break;
             }
         }
+        if (has_direction) velocity = {pace * sin(travel), velocity.y, pace * cos(travel)};
     }
 }
 
-LocomotionSpace join(SpaceDefinition definition, const std::vector<PackedClip>& clips) {
+LocomotionSpace join(SpaceDefinition definition, LocomotionGraph& graph) {
     LocomotionSpace space;
     space.space = std::move(definition.space);
     space.clips = std::move(definition.clips);
     for (std::size_t d = 0; d < space.space.axes.size() && d < space.axes.size(); ++d) {
         space.axes[d] = axis_of(space.space.axes[d].name);
         space.has_turn |= space.axes[d] == RequestAxis::turn;
+        if (space.axes[d] != RequestAxis::custom) continue;
+        const std::string& name = space.space.axes[d].name;
+        if (graph.custom_slot(name) < 0) graph.custom_names.push_back(name);
+        space.custom_slots[d] = static_cast<std::uint8_t>(graph.custom_slot(name));
     }
-    declare_motion(space, clips);
+    declare_motion(space, graph.clips);
     return space;
 }
 
@@ -86,9 +107,8 @@ std::string problem_of(const LocomotionSpace& space, std::size_t clips, const ch
     for (const std::int32_t clip : space.clips)
         if (clip < 0 || static_cast<std::size_t>(clip) >= clips) return where + "names a clip that is not there";
     for (std::size_t d = 0; d < space.space.axes.size(); ++d)
-        if (space.axes[d] == RequestAxis::none)
-            return where + "has an axis '" + space.space.axes[d].name +
-                   "' that is none of speed, turn, forward, lateral";
+        if (space.axes[d] == RequestAxis::none || space.custom_slots[d] >= k_max_custom_axes)
+            return where + "has an axis '" + space.space.axes[d].name + "' that no request can set";
     if (space.velocities.size() != space.clips.size() || space.turns.size() != space.clips.size())
         return where + "has samples without velocities";
     return {};
@@ -101,8 +121,8 @@ LocomotionGraph make_locomotion_graph(std::shared_ptr<const Skeleton> skeleton, 
     LocomotionGraph graph;
     graph.skeleton = std::move(skeleton);
     graph.clips = std::move(clips);
-    graph.facing = join(std::move(facing), graph.clips);
-    graph.lateral = join(std::move(lateral), graph.clips);
+    graph.facing = join(std::move(facing), graph);
+    graph.lateral = join(std::move(lateral), graph);
     graph.side_travel = measure_side_travel(graph.lateral);
     return graph;
 }
@@ -115,6 +135,10 @@ std::string problem(const LocomotionGraph& graph) {
         if (clip.joint_count != graph.skeleton->joint_count())
             return "clip '" + clip.name + "' has another number of joints than the skeleton";
     }
+    if (graph.custom_names.size() > static_cast<std::size_t>(k_max_custom_axes))
+        return "the graph's spaces have " + std::to_string(graph.custom_names.size()) + " axes of their own, from '" +
+               graph.custom_names.front() + "' to '" + graph.custom_names.back() + "', and a request has room for " +
+               std::to_string(k_max_custom_axes);
     if (graph.facing.empty() && graph.lateral.empty()) return "the graph has no blend space with samples";
     if (std::string text = problem_of(graph.facing, graph.clips.size(), "facing"); !text.empty()) return text;
     return problem_of(graph.lateral, graph.clips.size(), "lateral");

@@ -38,7 +38,9 @@ struct Mix {
     bool clamped = false;
 };
 
-SpacePoint point_in(const LocomotionSpace& space, float forward, float turn_deg, float lateral) noexcept {
+/// Where in a space a request lies; `forward` and `lateral` are this space's part of its velocity.
+SpacePoint point_in(const LocomotionSpace& space, const LocomotionRequest& request, float forward,
+                    float lateral) noexcept {
     SpacePoint point{};
     for (std::size_t d = 0; d < static_cast<std::size_t>(space.space.dimensions()); ++d) {
         switch (space.axes[d]) {
@@ -47,10 +49,22 @@ SpacePoint point_in(const LocomotionSpace& space, float forward, float turn_deg,
                 point[d] = forward;
                 break;
             case RequestAxis::turn:
-                point[d] = turn_deg;
+                point[d] = request.turn;
                 break;
             case RequestAxis::lateral:
                 point[d] = lateral;
+                break;
+            case RequestAxis::slope:
+                point[d] = request.slope;
+                break;
+            case RequestAxis::pace:
+                point[d] = std::sqrt(forward * forward + lateral * lateral);
+                break;
+            case RequestAxis::travel:
+                point[d] = forward == 0 && lateral == 0 ? 0.0f : atan2(lateral, forward) * k_degrees_per_radian;
+                break;
+            case RequestAxis::custom:
+                point[d] = request.custom[space.custom_slots[d]];
                 break;
             case RequestAxis::none:
                 break;
@@ -67,11 +81,11 @@ void add_space(Mix& mix, const LocomotionSpace& space, std::int32_t& hint, const
     mix.clamped |= found.clamped;
     float kept = 0;
     for (int i = 0; i < found.count; ++i)
-        if (found.weights[static_cast<std::size_t>(i)] >= k_least_weight)
+        if (std::fabs(found.weights[static_cast<std::size_t>(i)]) >= k_least_weight)
             kept += found.weights[static_cast<std::size_t>(i)];
     for (int i = 0; i < found.count; ++i) {
         const float raw = found.weights[static_cast<std::size_t>(i)];
-        if (raw < k_least_weight) continue;
+        if (std::fabs(raw) < k_least_weight) continue;
         const auto sample = static_cast<std::size_t>(found.samples[static_cast<std::size_t>(i)]);
         const float weight = share * (raw / kept);
         mix.active[mix.count++] = {space.clips[sample], weight, space.velocities[sample], space.turns[sample]};
@@ -104,7 +118,7 @@ Sharing share_out(const LocomotionGraph& graph, float forward, float side) noexc
 /// Rate of the shared phase, cycles a second (DESIGN: |sum w v| / |sum w s|; see graph/README.md).
 float phase_rate(const LocomotionGraph& graph, const Mix& mix, float phase, std::uint32_t cycle) noexcept {
     Stride moved, stride;
-    float stride_sizes = 0, weights = 0, mean = 0, slowest = 0, fastest = 0;
+    float stride_sizes = 0, weights = 0, taken_off = 0, mean = 0, slowest = 0, fastest = 0;
     for (int i = 0; i < mix.count; ++i) {
         const Active& a = mix.active[i];
         const PackedClip& clip = graph.clips[static_cast<std::size_t>(a.clip)];
@@ -115,16 +129,18 @@ float phase_rate(const LocomotionGraph& graph, const Mix& mix, float phase, std:
         const float seconds = phase_time(clip, at).slope;
         const Stride own = stride_of(clip.velocity, clip.turn_rate) * seconds;
         stride += own * a.weight;
-        stride_sizes += own.length() * a.weight;
-        weights += a.weight;
+        const float share = std::fabs(a.weight);  // what is taken off paces the feet as much as what is added
+        stride_sizes += own.length() * share;
+        weights += share;
+        taken_off += share - std::max(a.weight, 0.0f);
         // A clip placed at another speed than its own is played that much faster.
         const float own_speed = stride_of(clip.velocity, clip.turn_rate).length();
         const float placed = stride_of(a.velocity, a.turn).length();
         constexpr float k_standing = 0.02f;  // [m/s] slower ratios mean nothing
         const float ratio = own_speed > k_standing ? std::min(std::max(placed / own_speed, 0.5f), 2.0f) : 1.0f;
         const float rate = ratio / seconds;
-        mean += rate * a.weight;
-        slowest = weights == a.weight ? rate : std::min(slowest, rate);
+        mean += rate * share;
+        slowest = weights == share ? rate : std::min(slowest, rate);
         fastest = std::max(fastest, rate);
     }
     if (!(weights > 0)) return 0;
@@ -134,8 +150,10 @@ float phase_rate(const LocomotionGraph& graph, const Mix& mix, float phase, std:
     const float told = stride_sizes > 0 ? length / stride_sizes : 0.0f;
     const float t = std::min(std::max((told - 0.2f) / 0.3f, 0.0f), 1.0f), trust = t * t * (3.0f - 2.0f * t);
     if (!(trust > 0)) return mean;
-    // For velocities along one line this is a mean of the clips' own rates; the bounds only matter across directions.
-    const float by_stride = std::min(std::max(moved.length() / length, slowest), fastest);
+    // For velocities along one line this is a mean of the clips' own rates, or, extrapolated, beyond them; the bounds
+    // only matter across directions.
+    const float beyond = 2.0f * taken_off * (fastest - slowest);
+    const float by_stride = std::min(std::max(moved.length() / length, slowest - beyond), fastest + beyond);
     return mean + (by_stride - mean) * trust;
 }
 
@@ -210,6 +228,12 @@ LocomotionRequest approach(const LocomotionRequest& current, const LocomotionReq
     }
     const float turn = wanted.turn - current.turn, most_turn = rates.turn_acceleration * dt;
     if (std::fabs(turn) > most_turn) next.turn = current.turn + (turn > 0 ? most_turn : -most_turn);
+    const auto limited = [](float from, float to, float most) noexcept {
+        return std::min(std::max(to, from - most), from + most);
+    };
+    next.slope = limited(current.slope, wanted.slope, rates.slope_rate * dt);
+    for (std::size_t i = 0; i < next.custom.size(); ++i)
+        next.custom[i] = limited(current.custom[i], wanted.custom[i], rates.custom_rate * dt);
     return next;
 }
 
@@ -219,11 +243,11 @@ LocomotionFrame update(const LocomotionGraph& graph, LocomotionState& state, con
     Mix mix;
     const Sharing sharing = share_out(graph, request.speed, request.lateral);
     if (sharing.lateral_share < 1) {
-        const SpacePoint point = point_in(graph.facing, sharing.facing_forward, request.turn, 0);
+        const SpacePoint point = point_in(graph.facing, request, sharing.facing_forward, 0);
         add_space(mix, graph.facing, state.facing_hint, point, request.turn, 1.0f - sharing.lateral_share);
     }
     if (sharing.lateral_share > 0) {
-        const SpacePoint point = point_in(graph.lateral, sharing.lateral_forward, request.turn, sharing.lateral_side);
+        const SpacePoint point = point_in(graph.lateral, request, sharing.lateral_forward, sharing.lateral_side);
         add_space(mix, graph.lateral, state.lateral_hint, point, request.turn, sharing.lateral_share);
     }
     if (graph.lateral.empty() && std::fabs(request.lateral) > 1e-3f) frame.clamped = true;

@@ -9,7 +9,8 @@
 //     world_root = world_root * f.root_delta;
 //     pose(graph, f, locals);                       // then foot placement, then local_to_model
 //
-// What it promises: within the hull of the spaces the root moves with exactly the velocity and turn rate asked for;
+// What it promises: within the hull of the spaces (and as far beyond as they extrapolate) the root moves with exactly
+// the velocity and turn rate asked for, if they weigh barycentrically and have axes in m/s and deg/s for them;
 // cyclic leaves share one phase, whose rate makes the blended feet move as fast as the root does (see
 // graph/README.md), so blending adds no skate; a lone clip plays as recorded.
 
@@ -17,27 +18,37 @@
 #include <surefoot/space/blend_space.h>
 
 #include <memory>
+#include <string_view>
 #include <type_traits>
 
 namespace surefoot {
+
+/// Axes of the user's own (style, weariness, load) that one graph may have.
+inline constexpr int k_max_custom_axes = 4;
 
 /// How a character should move, in its own frame. Steps in it are steps in the pose: smooth it (`approach`).
 struct LocomotionRequest {
     float speed = 0;    ///< [m/s] along its facing, negative backward
     float turn = 0;     ///< [deg/s] positive to its left
     float lateral = 0;  ///< [m/s] sideways, positive to its left
+    float slope = 0;    ///< [deg] of the ground under it along its way, positive uphill; read by spaces with that axis
+    std::array<float, k_max_custom_axes> custom{};  ///< by LocomotionGraph::custom_slot, in units of the axis
 };
 
 /// Moves `current` towards `wanted` by at most these rates; a host's simplest steering filter.
 struct RequestRates {
     float acceleration = 2.5f;         ///< [m/s^2] for speed and lateral together
     float turn_acceleration = 240.0f;  ///< [deg/s^2]
+    float slope_rate = 60.0f;          ///< [deg/s]
+    float custom_rate = 2.0f;          ///< [1/s] of an axis' unit
 };
 LocomotionRequest approach(const LocomotionRequest& current, const LocomotionRequest& wanted, float dt,
                            const RequestRates& rates = {}) noexcept;
 
-/// What of a request an axis of a space reads.
-enum class RequestAxis : std::uint8_t { none, speed, turn, forward, lateral };
+/// What of a request an axis of a space reads, by the axis' name; every other name is one of the user's own. `pace` is
+/// the size of the planar velocity, `travel` its direction against the facing (0 ahead, +90 to the left): a blend by
+/// them obeys direction and pace only nearly (means of directions are no arcs), by forward and lateral exactly.
+enum class RequestAxis : std::uint8_t { none, speed, turn, forward, lateral, slope, pace, travel, custom };
 
 /// A blend space whose samples are clips.
 struct LocomotionSpace {
@@ -46,6 +57,7 @@ struct LocomotionSpace {
     std::vector<Vec3> velocities;     ///< [m/s] of each sample's root: what its place in the space declares
     std::vector<float> turns;         ///< [rad/s] the same
     std::array<RequestAxis, k_max_dimensions> axes{};
+    std::array<std::uint8_t, k_max_dimensions> custom_slots{};  ///< of custom axes: index into the request's `custom`
     bool has_turn = false;  ///< some axis is the turn; if none is, the turn asked for is passed through to the root
 
     bool empty() const noexcept { return space.samples.empty(); }
@@ -59,9 +71,17 @@ struct LocomotionGraph {
     /// Folded travel angle [rad, 0 ahead, pi/2 sideways] of the lateral space's sample nearest to ahead (or to
     /// behind) in each quadrant: left ahead, right ahead, left behind, right behind.
     std::array<float, 4> side_travel{};
+    std::vector<std::string> custom_names;  ///< [Limit: k_max_custom_axes] in the order of a request's `custom`
+
+    /// Where in a request's `custom` the axis of that name is read, or -1.
+    int custom_slot(std::string_view name) const noexcept {
+        for (std::size_t i = 0; i < custom_names.size(); ++i)
+            if (custom_names[i] == name) return static_cast<int>(i);
+        return -1;
+    }
 };
 
-/// A space before it is joined with its clips: axes named "speed", "turn", "forward" or "lateral".
+/// A space before it is joined with its clips, and what its axes are called tells what they read (RequestAxis).
 struct SpaceDefinition {
     BlendSpace space;
     std::vector<std::int32_t> clips;
@@ -85,12 +105,12 @@ struct LocomotionState {
 static_assert(std::is_trivially_copyable_v<LocomotionState> && sizeof(LocomotionState) <= 512);
 static_assert(sizeof(LocomotionState) == 24, "no padding: states may be compared and hashed as bytes");
 
-/// At most dimensions + 1 leaves from each of the two spaces.
-inline constexpr int k_max_locomotion_leaves = 2 * (k_max_dimensions + 1);
+/// What each of the two spaces may answer.
+inline constexpr int k_max_locomotion_leaves = 2 * k_max_blend_weights;
 static_assert(k_max_locomotion_leaves <= k_max_leaves);
 
 struct LocomotionFrame {
-    std::array<Leaf, k_max_locomotion_leaves> leaf{};  ///< the first `leaf_count`; weights > 0 that add up to 1
+    std::array<Leaf, k_max_locomotion_leaves> leaf{};  ///< the first `leaf_count`; weights add up to 1
     int leaf_count = 0;
     RootFrame root_delta;   ///< this frame's root motion seen from the root before it
     Vec3 velocity;          ///< [m/s] of the root in its own frame: what was obtained

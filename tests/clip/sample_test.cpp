@@ -72,9 +72,8 @@ TEST(SamplePose, a_lone_clip_on_a_frame_is_that_frame) {
     }
 }
 
-TEST(SamplePose, a_blend_is_the_normalised_weighted_sum) {
+void expect_normalised_sum(const Leaf (&leaves)[3]) {
     const Stage stage = random_stage(3, 30, 3);
-    const Leaf leaves[3] = {{0, 2.25f / 30, 0.5f}, {1, 1.5f / 30, 0.3f}, {2, 3.75f / 30, 0.2f}};
     std::vector<Transform> locals(30);
     sample_pose(stage.skeleton, stage.clips, leaves, locals);
     const int frames[3] = {2, 1, 3};
@@ -92,6 +91,14 @@ TEST(SamplePose, a_blend_is_the_normalised_weighted_sum) {
         EXPECT_LT(rotation_angle(conjugate(wanted) * locals[static_cast<std::size_t>(j)].rotation), 1e-4f)
             << "joint " << j;
     }
+}
+
+TEST(SamplePose, a_blend_is_the_normalised_weighted_sum) {
+    expect_normalised_sum({{0, 2.25f / 30, 0.5f}, {1, 1.5f / 30, 0.3f}, {2, 3.75f / 30, 0.2f}});
+}
+
+TEST(SamplePose, so_it_is_where_some_weights_are_negative) {
+    expect_normalised_sum({{0, 2.25f / 30, -0.2f}, {1, 1.5f / 30, 1.25f}, {2, 3.75f / 30, -0.05f}});
 }
 
 TEST(SamplePose, only_the_ratio_of_weights_counts) {
@@ -128,6 +135,25 @@ TEST(SamplePose, joints_that_turn_far_blend_on_the_near_side) {
     stage.clips[1].turning_blocks = {1};
     sample_pose(stage.skeleton, stage.clips, leaves, locals);
     EXPECT_LT(rotation_angle(conjugate(turn(180)) * locals[1].rotation), 1e-3f);
+}
+
+TEST(SamplePose, a_joint_that_turns_far_is_extrapolated_on_the_near_side) {
+    Stage stage = random_stage(6, 3, 2);
+    for (Transform& rest : stage.skeleton.rest) rest.rotation = {};
+    const auto turn = [](float degrees) { return axis_angle({1, 0, 0}, degrees * k_radians_per_degree); };
+    for (int f = 0; f < stage.clips[0].frame_count; ++f) set_rotation(stage.clips[0], f, 1, turn(170));
+    for (int f = 0; f < stage.clips[1].frame_count; ++f) set_rotation(stage.clips[1], f, 1, -turn(190));
+    stage.clips[1].turning_blocks = {1};
+    std::vector<Transform> locals(3), twin(3);
+    for (const auto& [taken, added, wanted] : {std::tuple{0, 1, 195.0f}, std::tuple{1, 0, 165.0f}})
+        for (const bool taken_first : {true, false}) {
+            const Leaf off{taken, 0.05f, -0.25f}, on{added, 0.05f, 1.25f};
+            const Leaf leaves[2] = {taken_first ? off : on, taken_first ? on : off};
+            sample_pose(stage.skeleton, stage.clips, leaves, locals);
+            EXPECT_LT(rotation_angle(conjugate(turn(wanted)) * locals[1].rotation), 2e-3f) << wanted;
+            sample_pose_scalar(stage.skeleton, stage.clips, leaves, twin);
+            for (std::size_t j = 0; j < 3; ++j) expect_same_bits(locals[j], twin[j], "the twin");
+        }
 }
 
 TEST(SamplePose, keys_that_cancel_give_numbers_still) {

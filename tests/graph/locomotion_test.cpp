@@ -329,13 +329,149 @@ TEST(Locomotion, without_a_turn_axis_the_root_turns_as_asked) {
     EXPECT_NEAR(update(graph, state, {1.4f, 40, 0}, k_dt).turn, 40, 1e-4);
 }
 
+/// Walk and jog over speed, turn, slope and style: each clip at a corner of the box.
+LocomotionGraph make_wide_graph(Outside outside = Outside::clamp) {
+    const auto skeleton = feet_skeleton();
+    std::vector<PackedClip> clips;
+    std::vector<Sample> samples;
+    for (const float speed : {1.0f, 3.0f})
+        for (const float turn : {-60.0f, 60.0f})
+            for (const float slope : {-10.0f, 10.0f})
+                for (const float style : {0.0f, 1.0f}) {
+                    clips.push_back(gait_clip(*skeleton, {{0, 0, speed}, turn * k_degree, speed < 2 ? 1.1f : 0.8f},
+                                              "clip" + std::to_string(clips.size())));
+                    samples.push_back({static_cast<std::int32_t>(clips.size()) - 1, {speed, turn, slope, style}});
+                }
+    SpaceDefinition space = space_of(
+        {{"speed", "m/s", 0, 4}, {"turn", "deg/s", -90, 90}, {"slope", "deg", -15, 15}, {"style", "", 0, 1}}, samples);
+    space.space.outside = outside;
+    return make_locomotion_graph(skeleton, std::move(clips), std::move(space), {});
+}
+
+TEST(Locomotion, a_space_of_four_dimensions_is_walked_and_each_axis_moves_its_own_weights) {
+    const LocomotionGraph graph = make_wide_graph();
+    ASSERT_EQ(problem(graph), "");
+    ASSERT_EQ(graph.custom_names, std::vector<std::string>{"style"});
+    EXPECT_EQ(graph.custom_slot("style"), 0);
+    EXPECT_EQ(graph.custom_slot("mood"), -1);
+    Random random(2);
+    LocomotionState state;
+    for (int i = 0; i < 2000; ++i) {
+        LocomotionRequest request{random.between(1, 3), random.between(-60, 60)};
+        request.slope = random.between(-10, 10);
+        request.custom[0] = random.unit();
+        const LocomotionFrame frame = update(graph, state, request, k_dt);
+        ASSERT_FALSE(frame.clamped);
+        EXPECT_NEAR(frame.velocity.z, request.speed, 1e-3);
+        EXPECT_NEAR(frame.turn, request.turn, 2e-2);
+        float slope = 0, style = 0;
+        for (const Leaf& leaf : frame.leaves()) {
+            const SpacePoint& at = graph.facing.space.samples[static_cast<std::size_t>(leaf.clip)];
+            slope += leaf.weight * at[2];
+            style += leaf.weight * at[3];
+        }
+        EXPECT_NEAR(slope, request.slope, 1e-3);
+        EXPECT_NEAR(style, request.custom[0], 1e-4);
+    }
+}
+
+TEST(Locomotion, extrapolation_obeys_a_little_beyond_the_clips_and_the_feet_still_stand) {
+    LocomotionGraph graph = make_graph();
+    graph.facing.space.outside = Outside::extrapolate;
+    ASSERT_EQ(problem(graph), "");
+    const auto taken_off = [&](const LocomotionRequest& request) {
+        LocomotionState state;
+        const LocomotionFrame frame = update(graph, state, request, k_dt);
+        EXPECT_FALSE(frame.clamped);
+        EXPECT_NEAR(frame.velocity.z, request.speed, 1e-4);
+        EXPECT_NEAR(frame.turn, request.turn, 1e-2);
+        float sum = 0, least = 0;
+        for (const Leaf& leaf : frame.leaves()) {
+            sum += leaf.weight;
+            least = std::min(least, leaf.weight);
+        }
+        EXPECT_NEAR(sum, 1, 1e-5);
+        return least < -0.01f;
+    };
+    for (const float speed : {3.6f, 3.9f, -0.9f}) {
+        EXPECT_TRUE(taken_off({speed, 0})) << speed;
+        EXPECT_LT(worst_stance_speed(graph, {speed, 0}, 0.6f), 0.01f) << speed;
+    }
+    EXPECT_TRUE(taken_off({1.4f, 100}));
+    EXPECT_TRUE(taken_off({3.7f, 95}));
+    LocomotionState state;
+    const LocomotionFrame far = update(graph, state, {9, 0}, k_dt);
+    EXPECT_TRUE(far.clamped);
+    EXPECT_GT(far.velocity.z, 3.8f);
+}
+
+TEST(Locomotion, a_wide_space_extrapolates_in_all_its_dimensions_at_once) {
+    const LocomotionGraph graph = make_wide_graph(Outside::extrapolate);
+    LocomotionRequest request{3.2f, 66};
+    request.slope = -11;
+    request.custom[0] = 1.05f;
+    LocomotionState state;
+    const LocomotionFrame frame = update(graph, state, request, k_dt);
+    EXPECT_FALSE(frame.clamped);
+    EXPECT_NEAR(frame.velocity.z, 3.2f, 1e-3);
+    EXPECT_NEAR(frame.turn, 66, 2e-2);
+}
+
+TEST(Locomotion, direction_and_pace_as_axes_turn_through_backwards_without_a_seam) {
+    const auto skeleton = feet_skeleton();
+    std::vector<PackedClip> clips{idle_clip(*skeleton)};
+    SpaceDefinition ring;
+    ring.space.axes = {{"travel", "deg", -180, 180, true}, {"pace", "m/s", 0, 2}};
+    for (int n = 0; n < 8; ++n) {
+        const float angle = static_cast<float>(n - 4) * 45 * k_degree;
+        ring.clips.push_back(0);  // standing has no direction: it is there in each
+        ring.space.samples.push_back({static_cast<float>(n - 4) * 45, 0});
+        ring.clips.push_back(static_cast<std::int32_t>(clips.size()));
+        ring.space.samples.push_back({static_cast<float>(n - 4) * 45, 1.2f});
+        clips.push_back(gait_clip(*skeleton, {{1.2f * sin(angle), 0, 1.2f * cos(angle)}, 0, 1.0f}));
+    }
+    add_wrap_copies(ring.space);
+    for (std::size_t i = ring.clips.size(); i < ring.space.samples.size(); ++i)
+        ring.clips.push_back(ring.clips[static_cast<std::size_t>(ring.space.copy_of[i])]);
+    triangulate(ring.space);
+    const LocomotionGraph graph = make_locomotion_graph(skeleton, std::move(clips), {}, std::move(ring));
+    ASSERT_EQ(problem(graph), "");
+    Vec3 last;
+    for (int tenth = 0; tenth <= 7200; ++tenth) {
+        const float angle = 0.1f * static_cast<float>(tenth) * k_degree;
+        LocomotionState state;
+        const LocomotionFrame frame = update(graph, state, {0.9f * cos(angle), 0, 0.9f * sin(angle)}, 0);
+        ASSERT_FALSE(frame.clamped) << tenth;
+        // Means of directions are no arcs: between clips 45 degrees apart the velocity is some degrees off.
+        EXPECT_LT(distance(frame.velocity, Vec3{0.9f * sin(angle), 0, 0.9f * cos(angle)}), 0.2f) << tenth;
+        if (tenth > 0) {
+            ASSERT_LT(distance(frame.velocity, last), 0.004f) << tenth;
+        }
+        last = frame.velocity;
+    }
+}
+
+TEST(Locomotion, a_graph_has_room_for_four_axes_of_the_users_own) {
+    const auto skeleton = feet_skeleton();
+    const auto space = [](const char* a, const char* b, const char* c) {
+        return space_of({{a, "", 0, 1}, {b, "", 0, 1}, {c, "", 0, 1}}, {{0, {0, 0, 0}}});
+    };
+    EXPECT_EQ(
+        problem(make_locomotion_graph(skeleton, {idle_clip(*skeleton)}, space("a", "b", "c"), space("c", "d", "a"))),
+        "");
+    EXPECT_NE(
+        problem(make_locomotion_graph(skeleton, {idle_clip(*skeleton)}, space("a", "b", "c"), space("d", "e", "a")))
+            .find("from 'a' to 'e'"),
+        std::string::npos);
+}
+
 TEST(Locomotion, faults_of_a_graph_are_told) {
     LocomotionGraph graph = make_graph();
     graph.facing.clips[2] = 99;
     EXPECT_NE(problem(graph).find("space 'facing' names a clip"), std::string::npos);
     graph = make_graph();
     graph.lateral.axes[0] = RequestAxis::none;
-    EXPECT_NE(problem(graph).find("none of speed, turn, forward, lateral"), std::string::npos);
+    EXPECT_NE(problem(graph).find("that no request can set"), std::string::npos);
     graph = make_graph();
     graph.clips[1].rotations.clear();
     EXPECT_NE(problem(graph).find("rotations"), std::string::npos);
@@ -366,6 +502,12 @@ TEST(Approach, moves_at_the_given_rates_and_arrives) {
         ++steps;
     }
     EXPECT_EQ(steps, 20);  // 5 m/s at 2.5 m/s^2
+    LocomotionRequest steep;
+    steep.slope = 30;
+    steep.custom[1] = -1;
+    const LocomotionRequest next = approach({}, steep, 0.1f);
+    EXPECT_FLOAT_EQ(next.slope, 6);
+    EXPECT_FLOAT_EQ(next.custom[1], -0.2f);
 }
 
 }  // namespace
