@@ -237,6 +237,42 @@ LocomotionRequest approach(const LocomotionRequest& current, const LocomotionReq
     return next;
 }
 
+LocomotionRequest request_at(const LocomotionSpace& space, std::span<const float> at) noexcept {
+    LocomotionRequest request;
+    float pace = 0, travel = 0;
+    for (std::size_t k = 0; k < at.size() && k < space.axes.size(); ++k) switch (space.axes[k]) {
+            case RequestAxis::speed:
+            case RequestAxis::forward:
+                request.speed = at[k];
+                break;
+            case RequestAxis::turn:
+                request.turn = at[k];
+                break;
+            case RequestAxis::lateral:
+                request.lateral = at[k];
+                break;
+            case RequestAxis::slope:
+                request.slope = at[k];
+                break;
+            case RequestAxis::pace:
+                pace = at[k];
+                break;
+            case RequestAxis::travel:
+                travel = at[k] * k_radians_per_degree;
+                break;
+            case RequestAxis::custom:
+                request.custom[space.custom_slots[k]] = at[k];
+                break;
+            case RequestAxis::none:
+                break;
+        }
+    if (pace != 0) {
+        request.speed = pace * cos(travel);
+        request.lateral = pace * sin(travel);
+    }
+    return request;
+}
+
 LocomotionFrame update(const LocomotionGraph& graph, LocomotionState& state, const LocomotionRequest& request,
                        float dt) noexcept {
     LocomotionFrame frame;

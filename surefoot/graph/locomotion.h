@@ -18,6 +18,7 @@
 #include <surefoot/space/blend_space.h>
 
 #include <memory>
+#include <span>
 #include <string_view>
 #include <type_traits>
 
@@ -80,6 +81,9 @@ struct LocomotionGraph {
         return -1;
     }
 };
+
+/// The request that lies at a place of a space, `at` holding one value an axis.
+LocomotionRequest request_at(const LocomotionSpace& space, std::span<const float> at) noexcept;
 
 /// A space before it is joined with its clips, and what its axes are called tells what they read (RequestAxis).
 struct SpaceDefinition {

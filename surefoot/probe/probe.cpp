@@ -17,25 +17,6 @@ float rounded(float value) {
     return static_cast<float>(std::round(static_cast<double>(value) * 1e4) / 1e4) + 0.0f;  // no -0
 }
 
-LocomotionRequest request_at(const LocomotionSpace& space, std::span<const float> at) {
-    LocomotionRequest request;
-    for (std::size_t k = 0; k < at.size(); ++k) switch (space.axes[k]) {
-            case RequestAxis::speed:
-            case RequestAxis::forward:
-                request.speed = at[k];
-                break;
-            case RequestAxis::turn:
-                request.turn = at[k];
-                break;
-            case RequestAxis::lateral:
-                request.lateral = at[k];
-                break;
-            case RequestAxis::none:
-                break;
-        }
-    return request;
-}
-
 /// The next point of the grid, the last axis fastest; false after the last one.
 bool next_point(std::vector<int>& index, const std::vector<ProbeAxis>& axes) {
     for (std::size_t k = index.size(); k-- > 0;) {

@@ -357,9 +357,8 @@ TEST(Locomotion, a_space_of_four_dimensions_is_walked_and_each_axis_moves_its_ow
     Random random(2);
     LocomotionState state;
     for (int i = 0; i < 2000; ++i) {
-        LocomotionRequest request{random.between(1, 3), random.between(-60, 60)};
-        request.slope = random.between(-10, 10);
-        request.custom[0] = random.unit();
+        const float at[] = {random.between(1, 3), random.between(-60, 60), random.between(-10, 10), random.unit()};
+        const LocomotionRequest request = request_at(graph.facing, at);
         const LocomotionFrame frame = update(graph, state, request, k_dt);
         ASSERT_FALSE(frame.clamped);
         EXPECT_NEAR(frame.velocity.z, request.speed, 1e-3);
