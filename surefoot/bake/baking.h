@@ -16,15 +16,12 @@ struct Source {
 /// Clips that the spaces use: indices, ascending. Throws Error where there are none or one is out of range.
 std::vector<std::int32_t> used_clips(std::span<const ProjectSpace> spaces, std::size_t available);
 
-/// Packs the sources (those of `used`, in its order) in parallel and joins them with the spaces; the body is not
-/// filled.
-Character bake(const std::string& name, std::span<const Source> sources, std::span<const ProjectSpace> spaces,
-               const std::vector<std::int32_t>& used);
-
 /// The clip that stands most nearly still: soles and standing height are read off it.
 std::size_t calmest(std::span<const Source> sources);
 
-/// Roles, legs and standing pose.
-void take_body(Character& character, const AnalyzedClip& from);
+/// Packs the sources (those of `used`, in its order) in parallel and joins them with the spaces. `body` is the calmest
+/// of them, measured: roles, legs and standing pose come from it.
+Character bake(const std::string& name, std::span<const Source> sources, std::span<const ProjectSpace> spaces,
+               const std::vector<std::int32_t>& used, const AnalyzedClip& body);
 
 }  // namespace surefoot

@@ -34,6 +34,15 @@ Motion on_skeleton(const Motion& motion, const std::shared_ptr<const Skeleton>& 
     return same;
 }
 
+/// Roles, legs and standing pose.
+void take_body(Character& character, const AnalyzedClip& from) {
+    character.roles = from.roles.roles;
+    character.legs = from.legs;
+    character.hip_height = from.facts.hip_height;
+    character.standing.resize(character.skeleton->rest.size());
+    local_to_model(*character.skeleton, from.motion.frame(0), character.standing);
+}
+
 }  // namespace
 
 std::vector<std::int32_t> used_clips(std::span<const ProjectSpace> spaces, std::size_t available) {
@@ -53,16 +62,18 @@ std::vector<std::int32_t> used_clips(std::span<const ProjectSpace> spaces, std::
 }
 
 Character bake(const std::string& name, std::span<const Source> sources, std::span<const ProjectSpace> spaces,
-               const std::vector<std::int32_t>& used) {
+               const std::vector<std::int32_t>& used, const AnalyzedClip& body) {
     Character character;
     character.name = name;
     character.skeleton = sources.front().motion->skeleton;
+    take_body(character, body);
     std::vector<PackedClip> packed(sources.size());
     character.packing.resize(sources.size());
     parallel_for(sources.size(), [&](std::size_t i) {
         const Motion motion = on_skeleton(*sources[i].motion, character.skeleton);
         PackOptions options;
         options.along_travel = sources[i].along_travel;
+        options.legs = &character.legs;
         packed[i] = pack_clip(motion, *sources[i].facts, options, &character.packing[i]);
         packed[i].name = sources[i].facts->name.empty() ? motion.name : sources[i].facts->name;
     });
@@ -75,6 +86,7 @@ Character bake(const std::string& name, std::span<const Source> sources, std::sp
     character.graph =
         make_locomotion_graph(character.skeleton, std::move(packed), definition_of(spaces, "facing", used),
                               definition_of(spaces, "lateral", used));
+    if (character.legs.known()) set_legs(character.graph, character.legs, character.standing);
     if (const std::string text = problem(character.graph); !text.empty())
         throw Error(text, name.empty() ? "the character" : name, "run 'surefoot author' again");
     return character;
@@ -92,14 +104,6 @@ std::size_t calmest(std::span<const Source> sources) {
     return best;
 }
 
-void take_body(Character& character, const AnalyzedClip& from) {
-    character.roles = from.roles.roles;
-    character.legs = from.legs;
-    character.hip_height = from.facts.hip_height;
-    character.standing.resize(character.skeleton->rest.size());
-    local_to_model(*character.skeleton, from.motion.frame(0), character.standing);
-}
-
 Character bake_character(std::span<const AnalyzedClip> clips, std::span<const ProjectSpace> spaces,
                          const std::string& name) {
     const std::vector<std::int32_t> used = used_clips(spaces, clips.size());
@@ -108,9 +112,7 @@ Character bake_character(std::span<const AnalyzedClip> clips, std::span<const Pr
         const AnalyzedClip& clip = clips[static_cast<std::size_t>(i)];
         sources.push_back({&clip.motion, &clip.facts, moves_along_facing(spaces, i, clip.facts)});
     }
-    Character character = bake(name, sources, spaces, used);
-    take_body(character, clips[static_cast<std::size_t>(used[calmest(sources)])]);
-    return character;
+    return bake(name, sources, spaces, used, clips[static_cast<std::size_t>(used[calmest(sources)])]);
 }
 
 }  // namespace surefoot

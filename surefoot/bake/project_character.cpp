@@ -47,11 +47,11 @@ Character bake_character(const Project& project, const std::filesystem::path& fo
     for (std::size_t i = 0; i < used.size(); ++i)
         sources.push_back(
             {&motions[i], &clip_at(i).facts, moves_along_facing(project.spaces, used[i], clip_at(i).facts)});
-    Character character = bake(project.name, sources, project.spaces, used);
+    const std::size_t calm = calmest(sources);
+    const AnalyzedClip body = analyze_clip(motions[calm], clip_at(calm).file, 1, project.roles);
+    Character character = bake(project.name, sources, project.spaces, used, body);
     for (std::string& warning : warnings)
         if (!warning.empty()) character.warnings.push_back(std::move(warning));
-    const std::size_t calm = calmest(sources);
-    take_body(character, analyze_clip(motions[calm], clip_at(calm).file, 1, project.roles));
     return character;
 }
 

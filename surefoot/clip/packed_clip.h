@@ -2,6 +2,7 @@
 // The runtime form of a clip: 16-bit rotations in blocks of eight joints, the few translations that move, root motion
 // and phase apart. Immutable, shared by all characters. Made by pack/pack_clip.h, which also measures the error.
 
+#include <surefoot/clip/foot_track.h>
 #include <surefoot/math/transform.h>
 
 #include <array>
@@ -46,6 +47,9 @@ struct PackedClip {
     /// (0, phase of the first frame, in [0, 1)), the last (1, that plus `cycles`). Empty where there are no steps.
     std::vector<std::array<float, 2>> phase_map;
     int cycles = 0;  ///< cycles of two steps in the clip, 0 without a phase map
+
+    /// By Side. Both have keys or neither; steps where there are cycles.
+    std::array<FootTrack, 2> feet;
 
     int block_count() const noexcept { return (joint_count + k_lanes - 1) / k_lanes; }
     float duration() const noexcept { return static_cast<float>(frame_count - 1) / fps; }

@@ -46,6 +46,10 @@ RootFrame clip_root(const PackedClip& clip, float time) noexcept;
 /// Phase at a time of a clip with steps: cycles since the left strike at or before its first frame, in
 /// [first phase, first phase + cycles].
 float phase_at(const PackedClip& clip, float time) noexcept;
+/// The phase to ask a clip of several cycles for when the shared phase is `phase` after `cycle` full cycles.
+inline float phase_in(const PackedClip& clip, float phase, std::uint32_t cycle) noexcept {
+    return phase + static_cast<float>(cycle % static_cast<std::uint32_t>(clip.cycles));
+}
 /// Time in [0, duration] at a phase, which counts cycles and may be any number.
 float time_at(const PackedClip& clip, float phase) noexcept;
 /// Time and how fast it runs there: d(time)/d(phase) in seconds a cycle.

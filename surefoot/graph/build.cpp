@@ -127,6 +127,10 @@ LocomotionGraph make_locomotion_graph(std::shared_ptr<const Skeleton> skeleton, 
     return graph;
 }
 
+void set_legs(LocomotionGraph& graph, const Legs& legs, std::span<const Transform> standing) {
+    graph.legs = make_leg_paths(*graph.skeleton, legs, standing);
+}
+
 std::string problem(const LocomotionGraph& graph) {
     if (!graph.skeleton) return "the graph has no skeleton";
     if (std::string text = problem(*graph.skeleton); !text.empty()) return text;

@@ -125,8 +125,7 @@ float phase_rate(const LocomotionGraph& graph, const Mix& mix, float phase, std:
         moved += stride_of(a.velocity, a.turn) * a.weight;
         if (clip.cycles == 0) continue;
         // Seconds a cycle just here: foot strikes are not evenly spaced in every clip.
-        const float at = phase + static_cast<float>(cycle % static_cast<std::uint32_t>(clip.cycles));
-        const float seconds = phase_time(clip, at).slope;
+        const float seconds = phase_time(clip, phase_in(clip, phase, cycle)).slope;
         const Stride own = stride_of(clip.velocity, clip.turn_rate) * seconds;
         stride += own * a.weight;
         const float share = std::fabs(a.weight);  // what is taken off paces the feet as much as what is added
@@ -177,7 +176,7 @@ float clock_time(const PackedClip& clip, double clock) noexcept {
 
 float leaf_time(const PackedClip& clip, const LocomotionState& state) noexcept {
     if (clip.cycles == 0) return clock_time(clip, state.clock);
-    return time_at(clip, state.phase + static_cast<float>(state.cycle % static_cast<std::uint32_t>(clip.cycles)));
+    return time_at(clip, phase_in(clip, state.phase, state.cycle));
 }
 
 /// One leaf a clip, though both spaces may hold it (an idle).
@@ -294,12 +293,16 @@ LocomotionFrame update(const LocomotionGraph& graph, LocomotionState& state, con
     frame.root_delta = integrate(mix.velocity, mix.turn, dt);
     advance(state, frame.phase_rate, dt);
     frame.phase = state.phase;
+    frame.cycle = state.cycle;
     make_leaves(graph, mix, state, frame);
     return frame;
 }
 
-void pose(const LocomotionGraph& graph, std::span<const Leaf> leaves, std::span<Transform> locals) noexcept {
-    sample_pose(*graph.skeleton, graph.clips, leaves, locals);
+void pose(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<Transform> locals) noexcept {
+    sample_pose(*graph.skeleton, graph.clips, frame.leaves(), locals);
+    blend_feet(graph.legs, graph.clips, frame, locals);
 }
+
+float foot_speed(Vec3 velocity, float turn_rate) noexcept { return stride_of(velocity, turn_rate).length(); }
 
 }  // namespace surefoot

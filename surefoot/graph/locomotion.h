@@ -15,6 +15,7 @@
 // graph/README.md), so blending adds no skate; a lone clip plays as recorded.
 
 #include <surefoot/clip/sample.h>
+#include <surefoot/graph/foot_blend.h>
 #include <surefoot/space/blend_space.h>
 
 #include <memory>
@@ -69,6 +70,7 @@ struct LocomotionGraph {
     std::vector<PackedClip> clips;
     LocomotionSpace facing;   ///< (speed, turn), or one of them
     LocomotionSpace lateral;  ///< (forward, lateral), or one of them; may be empty
+    LegPaths legs;            ///< set_legs; without them blended legs are as their joints' angles say
     /// Folded travel angle [rad, 0 ahead, pi/2 sideways] of the lateral space's sample nearest to ahead (or to
     /// behind) in each quadrant: left ahead, right ahead, left behind, right behind.
     std::array<float, 4> side_travel{};
@@ -93,6 +95,9 @@ struct SpaceDefinition {
 /// Builds a graph; at least one of the spaces has samples. Check it with `problem` before use.
 LocomotionGraph make_locomotion_graph(std::shared_ptr<const Skeleton> skeleton, std::vector<PackedClip> clips,
                                       SpaceDefinition facing, SpaceDefinition lateral);
+/// Lets blends put their feet where feet stand (graph/foot_blend.h). `standing` is the pose, in model space, that
+/// `legs` was made from.
+void set_legs(LocomotionGraph& graph, const Legs& legs, std::span<const Transform> standing);
 /// What is wrong with a graph, as a sentence; empty: nothing, and then update and pose cannot fail.
 std::string problem(const LocomotionGraph& graph);
 
@@ -116,13 +121,14 @@ static_assert(k_max_locomotion_leaves <= k_max_leaves);
 struct LocomotionFrame {
     std::array<Leaf, k_max_locomotion_leaves> leaf{};  ///< the first `leaf_count`; weights add up to 1
     int leaf_count = 0;
-    RootFrame root_delta;   ///< this frame's root motion seen from the root before it
-    Vec3 velocity;          ///< [m/s] of the root in its own frame: what was obtained
-    float turn = 0;         ///< [deg/s] the same
-    float phase = 0;        ///< [0, 1) after the step
-    float phase_rate = 0;   ///< [cycles/s]
-    bool stepping = false;  ///< some leaf has steps (else phase stands still)
-    bool clamped = false;   ///< the request lay outside what the clips cover
+    RootFrame root_delta;     ///< this frame's root motion seen from the root before it
+    Vec3 velocity;            ///< [m/s] of the root in its own frame: what was obtained
+    float turn = 0;           ///< [deg/s] the same
+    float phase = 0;          ///< [0, 1) after the step
+    float phase_rate = 0;     ///< [cycles/s]
+    std::uint32_t cycle = 0;  ///< full cycles so far, as in the state
+    bool stepping = false;    ///< some leaf has steps (else phase stands still)
+    bool clamped = false;     ///< the request lay outside what the clips cover
 
     std::span<const Leaf> leaves() const noexcept { return {leaf.data(), static_cast<std::size_t>(leaf_count)}; }
 };
@@ -131,11 +137,12 @@ struct LocomotionFrame {
 LocomotionFrame update(const LocomotionGraph& graph, LocomotionState& state, const LocomotionRequest& request,
                        float dt) noexcept;
 
-/// The frame's local pose: joint_count() transforms, the root at the origin, facing +Z.
-void pose(const LocomotionGraph& graph, std::span<const Leaf> leaves, std::span<Transform> locals) noexcept;
-inline void pose(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<Transform> locals) noexcept {
-    pose(graph, frame.leaves(), locals);
-}
+/// The frame's local pose: joint_count() transforms, the root at the origin, facing +Z. Where the graph knows the legs,
+/// the feet are blended as feet (graph/foot_blend.h).
+void pose(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<Transform> locals) noexcept;
+
+/// Speed of the ground under a foot [m/s]: planar, and by turning [rad/s] at the lever of a foot.
+float foot_speed(Vec3 velocity, float turn_rate) noexcept;
 
 /// Steady motion for a time: the root frame reached from the origin by a constant velocity in the root's own frame and
 /// a constant turn rate [rad/s].

@@ -189,6 +189,12 @@ const char* foot_mode_name(FootMode mode) noexcept {
     return "surefoot";
 }
 
+Vec3 knee_forward(const Leg& leg, std::span<const Transform> standing) noexcept {
+    const Transform& foot = standing[static_cast<std::size_t>(leg.foot)];
+    const Transform& upper = standing[static_cast<std::size_t>(leg.upper)];
+    return rotate(conjugate(upper.rotation), rotate(foot.rotation, leg.forward));
+}
+
 FootRig make_foot_rig(const Skeleton& skeleton, const Legs& legs, std::span<const Transform> standing,
                       const FootSettings& settings) {
     FootRig rig;
@@ -204,10 +210,7 @@ FootRig make_foot_rig(const Skeleton& skeleton, const Legs& legs, std::span<cons
         rig.lower_parent[side] = parent(leg.lower);
         rig.foot_parent[side] = parent(leg.foot);
         rig.toes_parent[side] = leg.toes == k_no_joint ? rig.foot_parent[side] : parent(leg.toes);
-        // Knees bend to where the toes point.
-        const Transform& foot = standing[static_cast<std::size_t>(leg.foot)];
-        const Transform& upper = standing[static_cast<std::size_t>(leg.upper)];
-        rig.knee_forward[side] = rotate(conjugate(upper.rotation), rotate(foot.rotation, leg.forward));
+        rig.knee_forward[side] = knee_forward(leg, standing);
     }
     return rig;
 }

@@ -76,6 +76,9 @@ struct FootRig {
     std::shared_ptr<const SwingSolver> solver;  ///< the swing programme's constant matrices
 };
 
+/// Where the knee of a standing leg would bend to if it were straight, in the thigh's frame: to where the toes point.
+Vec3 knee_forward(const Leg& leg, std::span<const Transform> standing) noexcept;
+
 /// `standing` is the pose, in model space, that `legs` was made from: it tells where knees bend to.
 FootRig make_foot_rig(const Skeleton& skeleton, const Legs& legs, std::span<const Transform> standing,
                       const FootSettings& settings = {});

@@ -1,6 +1,7 @@
 #include <surefoot/base/error.h>
 #include <surefoot/clip/sample.h>
 #include <surefoot/graph/locomotion.h>
+#include <surefoot/pack/foot_tracks.h>
 #include <surefoot/pack/pack_clip.h>
 #include <surefoot/pack/steady_root.h>
 
@@ -172,6 +173,8 @@ PackedClip pack_clip(const Motion& given, const ClipFacts& facts, const PackOpti
     pack_rotations(clip, *motion.skeleton, locals);
     pack_translations(clip, *motion.skeleton, locals, options.moving_translation);
     pack_phase(clip, facts);
+    if (options.legs != nullptr && options.legs->known() && options.steady_root)
+        clip.feet = make_foot_tracks(clip, *motion.skeleton, *options.legs, locals, facts);
     if (report != nullptr) {
         *report = measure_packing(motion, clip);
         for (const RootFrame& deviation : steady.deviation) {
@@ -209,7 +212,8 @@ PackReport measure_packing(const Motion& given, const PackedClip& clip) {
             }
         }
     }
-    report.bytes = clip.rotations.size() * sizeof(std::int16_t) + clip.translations.size() * sizeof(Vec3);
+    report.bytes = clip.rotations.size() * sizeof(std::int16_t) + clip.translations.size() * sizeof(Vec3) +
+                   2 * clip.feet[0].keys.size() * sizeof(FootKey);
     report.raw_bytes = motion.locals.size() * 40;
     return report;
 }

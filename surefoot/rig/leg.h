@@ -27,6 +27,8 @@ struct Legs {
 
     const Leg& operator[](Side s) const noexcept { return side[static_cast<std::size_t>(s)]; }
     Leg& operator[](Side s) noexcept { return side[static_cast<std::size_t>(s)]; }
+    /// Made from a character, not just declared.
+    bool known() const noexcept { return side[0].foot != k_no_joint && side[1].foot != k_no_joint; }
 };
 
 /// The sole's four points in the space of `foot` and `toes` (toes ignored without a toe joint).

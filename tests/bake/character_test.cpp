@@ -4,6 +4,8 @@
 #include <surefoot/preset/default_set.h>
 #include <surefoot/space/triangulate.h>
 
+#include "tests/bake/default_clips.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,54 +13,8 @@
 namespace surefoot {
 namespace {
 
-/// The generated set, its facts taken from the root motion it was made with.
-std::vector<AnalyzedClip> default_clips() {
-    const DefaultSet set = make_default_set();
-    std::vector<AnalyzedClip> clips;
-    for (const Motion& motion : set.clips) {
-        AnalyzedClip clip;
-        clip.motion = motion;
-        clip.roles.roles = set.roles;
-        ClipFacts& facts = clip.facts;
-        facts.name = motion.name;
-        const RootFrame step = between(motion.root[0], motion.root[1]);
-        const Vec3 velocity = rotate(from_yaw(-0.5f * step.yaw), step.position) * motion.fps;
-        facts.forward = velocity.z;
-        facts.lateral = velocity.x;
-        facts.speed = velocity.z < -1e-3f ? -planar_length(velocity) : planar_length(velocity);
-        facts.travel = planar_length(velocity) > 0.01f ? atan2(velocity.x, velocity.z) * k_degrees_per_radian : 0;
-        facts.turn = step.yaw * motion.fps * k_degrees_per_radian;
-        facts.cyclic = true;
-        if (motion.name != "idle")
-            facts.events = {{Side::left, StrideEvent::strike, 0},
-                            {Side::right, StrideEvent::strike, 0.5f * motion.duration()}};
-        clips.push_back(std::move(clip));
-    }
-    return clips;
-}
-
-std::vector<ProjectSpace> spaces_for(const std::vector<AnalyzedClip>& clips) {
-    ProjectSpace facing, lateral;
-    facing.name = "facing";
-    facing.space.axes = {{"speed", "m/s", -2, 5}, {"turn", "deg/s", -120, 120}};
-    lateral.name = "lateral";
-    lateral.space.axes = {{"forward", "m/s", -2, 2}, {"lateral", "m/s", -2, 2}};
-    for (std::size_t i = 0; i < clips.size(); ++i) {
-        const ClipFacts& f = clips[i].facts;
-        const bool sideways = std::fabs(f.lateral) > std::fabs(f.forward) && std::fabs(f.lateral) > 0.1f;
-        if (!sideways) {
-            facing.space.samples.push_back({f.speed, f.turn});
-            facing.clips.push_back(static_cast<int>(i));
-        }
-        if (sideways || f.name == "idle") {
-            lateral.space.samples.push_back({f.forward, f.lateral});
-            lateral.clips.push_back(static_cast<int>(i));
-        }
-    }
-    triangulate(facing.space);
-    triangulate(lateral.space);
-    return {facing, lateral};
-}
+using test::default_clips;
+using test::spaces_for;
 
 TEST(Character, the_generated_set_bakes_and_walks_as_asked) {
     const auto clips = default_clips();

@@ -1,0 +1,34 @@
+#pragma once
+// Where a clip's feet stand, kept so that blends of clips can stand there too (graph/foot_blend.h).
+//
+// A foot that stands still in the world runs backwards as seen from the moving root, at a speed of its own in each
+// clip. So each frame's foot is kept as it is seen from where the steady root is at the *middle of the stance*: there
+// a standing foot is one constant frame, its print, whatever the clip's speed and turn.
+
+#include <surefoot/math/transform.h>
+
+#include <vector>
+
+namespace surefoot {
+
+/// A foot at one frame. With root(t) the steady root after t seconds: foot seen from the root = inverse(root(age)) *
+/// print.
+struct FootKey {
+    Transform print;  ///< of the foot joint, as seen from the root at mid-stance
+    Quat toes;        ///< local rotation of the toe joint; identity without one
+    float age = 0;    ///< [s] since mid-stance; during the swing it runs back smoothly, from one stance to the next
+};
+
+/// One step: from a strike of the foot to its next.
+struct FootStep {
+    float lift = 0.6f;    ///< (0, 1) share of the cycle's phase at which the stance ends
+    float stance = 0.6f;  ///< [s]
+    float duration = 1;   ///< [s] [Limit: > stance]
+};
+
+struct FootTrack {
+    std::vector<FootKey> keys;    ///< one a frame; empty where the clip has none
+    std::vector<FootStep> steps;  ///< one a cycle, the first from the strike of phase 0 (left) or 0.5 (right) on
+};
+
+}  // namespace surefoot

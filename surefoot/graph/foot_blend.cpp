@@ -1,0 +1,222 @@
+#include <surefoot/graph/foot_blend.h>
+#include <surefoot/graph/locomotion.h>
+#include <surefoot/ik/foot_placement.h>
+#include <surefoot/ik/two_bone.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr float k_least_duty = 0.05f, k_most_duty = 0.95f;
+constexpr float k_most_pace = 4;  // times faster or slower than its clips a blend is played, where it means anything
+
+/// What a leaf's foot is doing: which step, and how much the leaf has to say about timing.
+struct FootLeaf {
+    const PackedClip* clip;
+    const FootTrack* track;
+    float weight;  ///< adds up to 1
+    float say;     ///< of the leaf's speed, adds up to 1; 0 for clips without steps
+    float time;    ///< [s] of the body
+    int step = 0;
+};
+
+struct FootLeaves {
+    FootLeaf leaf[k_max_locomotion_leaves];
+    int count = 0;
+
+    std::span<FootLeaf> all() noexcept { return {leaf, static_cast<std::size_t>(count)}; }
+    std::span<const FootLeaf> all() const noexcept { return {leaf, static_cast<std::size_t>(count)}; }
+};
+
+/// The leaves as one side sees them; false where one has no track.
+bool gather(std::span<const PackedClip> clips, const LocomotionFrame& frame, std::size_t side, std::uint32_t step,
+            FootLeaves& leaves) noexcept {
+    float weights = 0, says = 0;
+    for (const Leaf& leaf : frame.leaves()) {
+        const PackedClip& clip = clips[static_cast<std::size_t>(leaf.clip)];
+        if (clip.feet[side].keys.empty()) return false;
+        constexpr float k_slowest = 1e-3f;  // [m/s] so that clips that stamp on the spot have a say among themselves
+        const float speed = clip.cycles > 0 ? std::max(foot_speed(clip.velocity, clip.turn_rate), k_slowest) : 0.0f;
+        FootLeaf& out = leaves.leaf[leaves.count++];
+        out = {&clip, &clip.feet[side], leaf.weight, leaf.weight * speed, leaf.time};
+        if (clip.cycles > 0) out.step = static_cast<int>(step % static_cast<std::uint32_t>(clip.cycles));
+        weights += leaf.weight;
+        says += out.say;
+    }
+    for (FootLeaf& leaf : leaves.all()) {
+        leaf.weight /= weights;
+        leaf.say = says > 0 ? leaf.say / says : 0.0f;
+    }
+    return true;
+}
+
+/// Share of the step that the blended foot stands: mean stance over mean step, so that its way on the ground is the
+/// mean of the clips' ways.
+float blended_duty(const FootLeaves& leaves) noexcept {
+    float stance = 0, duration = 0;
+    for (const FootLeaf& leaf : leaves.all()) {
+        if (leaf.clip->cycles == 0) continue;
+        const FootStep& step = leaf.track->steps[static_cast<std::size_t>(leaf.step)];
+        stance += leaf.say * step.stance;
+        duration += leaf.say * step.duration;
+    }
+    return duration > 0 ? std::clamp(stance / duration, k_least_duty, k_most_duty) : 0.5f;
+}
+
+/// Where a clip's own step is when the blended one is `share` of its way, of which it stands for `duty`.
+float own_share(const FootStep& step, float share, float duty) noexcept {
+    return share < duty ? share / duty * step.lift : step.lift + (share - duty) / (1 - duty) * (1 - step.lift);
+}
+
+FootKey key_at(const PackedClip& clip, const FootTrack& track, float time) noexcept {
+    const float frame = std::clamp(time * clip.fps, 0.0f, static_cast<float>(clip.frame_count - 1));
+    const int from = std::min(static_cast<int>(frame), clip.frame_count - 2);
+    const float t = frame - static_cast<float>(from);
+    const FootKey &a = track.keys[static_cast<std::size_t>(from)], &b = track.keys[static_cast<std::size_t>(from) + 1];
+    return {{nlerp(a.print.rotation, b.print.rotation, t), lerp(a.print.translation, b.print.translation, t)},
+            nlerp(a.toes, b.toes, t),
+            a.age + (b.age - a.age) * t};
+}
+
+void add(Quat& sum, Quat q, float weight) noexcept {
+    q = aligned(q, sum);
+    sum = {sum.x + weight * q.x, sum.y + weight * q.y, sum.z + weight * q.z, sum.w + weight * q.w};
+}
+
+/// Where the foot joint is when heel and ball are at these places, or as near as a rigid foot can be: the lower of the
+/// two is what stands on the ground.
+Vec3 stand_on(const LegPaths::Side& leg, Quat rotation, Vec3 heel, Vec3 ball) noexcept {
+    constexpr float k_level = 0.02f;  // [m] the two differ by less: it stands on both
+    const float t = std::clamp(0.5f + 0.5f * (heel.y - ball.y) / k_level, 0.0f, 1.0f);
+    return lerp(heel - rotate(rotation, leg.heel), ball - rotate(rotation, leg.ball), t * t * (3 - 2 * t));
+}
+
+/// The weighted mean of the leaves' keys. `strike` is the side's own phase of 0. Heel and ball are what is averaged:
+/// the foot rolls about one and then the other, which stand still, while the ankle moves on a curve that no mean keeps.
+FootKey mean_key(const LegPaths::Side& leg, const FootLeaves& leaves, float strike, float share) noexcept {
+    const float duty = blended_duty(leaves);
+    FootKey mean{{{0, 0, 0, 0}, {}}, {0, 0, 0, 0}, 0};
+    Vec3 heel, ball;
+    for (const FootLeaf& leaf : leaves.all()) {
+        float time = leaf.time;
+        if (leaf.clip->cycles > 0) {
+            const FootStep& step = leaf.track->steps[static_cast<std::size_t>(leaf.step)];
+            time = time_at(*leaf.clip, strike + static_cast<float>(leaf.step) + own_share(step, share, duty));
+        }
+        const FootKey key = key_at(*leaf.clip, *leaf.track, time);
+        heel += transform_point(key.print, leg.heel) * leaf.weight;
+        ball += transform_point(key.print, leg.ball) * leaf.weight;
+        add(mean.print.rotation, key.print.rotation, leaf.weight);
+        add(mean.toes, key.toes, leaf.weight);
+        mean.age += key.age * leaf.say;
+    }
+    mean.print.rotation = normalized(mean.print.rotation);
+    mean.print.translation = stand_on(leg, mean.print.rotation, heel, ball);
+    mean.toes = normalized(mean.toes);
+    return mean;
+}
+
+/// How much faster the blend goes through its phase than its clips would by themselves: the age of a stance passes that
+/// much quicker.
+float pace_of(const FootLeaves& leaves, const LocomotionFrame& frame) noexcept {
+    float seconds = 0;
+    for (const FootLeaf& leaf : leaves.all())
+        if (leaf.clip->cycles > 0)
+            seconds += leaf.say * phase_time(*leaf.clip, phase_in(*leaf.clip, frame.phase, frame.cycle)).slope;
+    const float pace = seconds * frame.phase_rate;
+    return pace > 0 ? std::clamp(pace, 1 / k_most_pace, k_most_pace) : 1.0f;
+}
+
+struct LegModels {
+    std::array<Transform, LegPaths::k_most> at;
+
+    Quat rotation(int slot) const noexcept { return slot < 0 ? Quat{} : at[static_cast<std::size_t>(slot)].rotation; }
+    Vec3 place(int slot) const noexcept { return at[static_cast<std::size_t>(slot)].translation; }
+};
+
+void run_forward(const LegPaths& paths, std::span<const Transform> locals, LegModels& models) noexcept {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(paths.count); ++i) {
+        const Transform& local = locals[static_cast<std::size_t>(paths.joint[i])];
+        models.at[i] = paths.parent[i] < 0 ? local : models.at[static_cast<std::size_t>(paths.parent[i])] * local;
+    }
+}
+
+void solve_leg(const LegPaths& paths, std::size_t side, const LegModels& models, const Transform& foot,
+               std::span<Transform> locals) noexcept {
+    const LegPaths::Side& leg = paths.side[side];
+    TwoBone in;
+    in.hip = models.place(leg.upper);
+    in.knee = models.place(leg.lower);
+    in.ankle = models.place(leg.foot);
+    in.target = foot.translation;
+    in.knee_forward = rotate(models.rotation(leg.upper), leg.knee_forward);
+    const TwoBoneResult solved = solve_two_bone(in);
+    const auto local = [&](int slot) -> Quat& {
+        return locals[static_cast<std::size_t>(paths.joint[static_cast<std::size_t>(slot)])].rotation;
+    };
+    local(leg.upper) =
+        normalized(conjugate(models.rotation(leg.upper_parent)) * solved.upper * models.rotation(leg.upper));
+    local(leg.lower) = normalized(conjugate(solved.upper * models.rotation(leg.lower_parent)) * solved.lower *
+                                  models.rotation(leg.lower));
+    local(leg.foot) = normalized(conjugate(solved.lower * models.rotation(leg.foot_parent)) * foot.rotation);
+}
+
+}  // namespace
+
+LegPaths make_leg_paths(const Skeleton& skeleton, const Legs& legs, std::span<const Transform> standing) {
+    LegPaths paths;
+    std::vector<int> slot(skeleton.parents.size(), -1);
+    for (int j = 0; j < skeleton.joint_count(); ++j) {
+        if (!is_within(skeleton, legs.side[0].foot, j) && !is_within(skeleton, legs.side[1].foot, j)) continue;
+        if (paths.count == LegPaths::k_most) return {};
+        const auto at = static_cast<std::size_t>(paths.count);
+        const int parent = skeleton.parents[static_cast<std::size_t>(j)];
+        paths.joint[at] = static_cast<std::int16_t>(j);
+        paths.parent[at] = static_cast<std::int16_t>(parent < 0 ? -1 : slot[static_cast<std::size_t>(parent)]);
+        slot[static_cast<std::size_t>(j)] = paths.count++;
+    }
+    const auto slot_of = [&](int joint) { return joint < 0 ? -1 : slot[static_cast<std::size_t>(joint)]; };
+    const auto parent_of = [&](int joint) { return slot_of(skeleton.parents[static_cast<std::size_t>(joint)]); };
+    for (std::size_t s = 0; s < 2; ++s) {
+        const Leg& leg = legs.side[s];
+        paths.side[s] = {parent_of(leg.upper),
+                         slot_of(leg.upper),
+                         parent_of(leg.lower),
+                         slot_of(leg.lower),
+                         parent_of(leg.foot),
+                         slot_of(leg.foot),
+                         leg.toes,
+                         knee_forward(leg, standing),
+                         leg.heel,
+                         leg.ball};
+    }
+    return paths;
+}
+
+void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, const LocomotionFrame& frame,
+                std::span<Transform> locals) noexcept {
+    if (paths.count == 0 || frame.leaf_count < 2) return;
+    std::array<FootKey, 2> feet;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const float strike = side == 0 ? 0.0f : 0.5f, after = frame.phase - strike;
+        // Counted from well above zero, so that the step before the first one has a number too.
+        constexpr std::uint32_t k_far = 27720;  // a multiple of every small cycle count
+        FootLeaves leaves;
+        if (!gather(clips, frame, side, frame.cycle + k_far - (after < 0), leaves)) return;
+        FootKey& key = feet[side] = mean_key(paths.side[side], leaves, strike, after < 0 ? after + 1 : after);
+        const RootFrame moved =
+            integrate(frame.velocity, frame.turn * k_radians_per_degree, key.age / pace_of(leaves, frame));
+        key.print = inverse(to_transform(moved)) * key.print;
+    }
+    LegModels models;
+    run_forward(paths, locals, models);
+    for (std::size_t side = 0; side < 2; ++side) {
+        solve_leg(paths, side, models, feet[side].print, locals);
+        if (paths.side[side].toes != k_no_joint)
+            locals[static_cast<std::size_t>(paths.side[side].toes)].rotation = feet[side].toes;
+    }
+}
+
+}  // namespace surefoot

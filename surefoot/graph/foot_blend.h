@@ -1,0 +1,45 @@
+#pragma once
+// Blended legs whose feet are where the blend's feet should be.
+//
+// A weighted mean of joint angles puts each clip's planted foot somewhere near, and lets it slide. What must be blended
+// is where the feet stand: each clip's foot as seen from mid-stance (clip/foot_track.h) is one constant frame while it
+// stands, so their weighted mean is constant too; seen from the blended root, which moves on with the blended velocity
+// and turn, it is a foot that stands still in the world. So says the algebra for clips of any speed, turn and
+// direction, whatever the phase rate. Each foot keeps time by itself: stance meets stance and swing meets swing though
+// one clip is a walk and the other a run. The blended hips stay; hip and knee are solved for the foot.
+
+#include <surefoot/clip/sample.h>
+#include <surefoot/rig/leg.h>
+
+#include <array>
+#include <span>
+
+namespace surefoot {
+
+struct LocomotionFrame;
+
+/// The joints of both legs and all above them, parents first: what has to be run forward to find the feet. Immutable.
+struct LegPaths {
+    static constexpr int k_most = 48;
+    struct Side {
+        int upper_parent = -1, upper = 0, lower_parent = 0, lower = 0, foot_parent = 0, foot = 0;  ///< slots; -1: none
+        int toes = k_no_joint;                                                                     ///< joint
+        Vec3 knee_forward;  ///< in the thigh's frame: where a straight knee would bend to
+        Vec3 heel, ball;    ///< [m] on the sole, foot's frame
+    };
+    int count = 0;  ///< 0: legs are not known, and stay as blended
+    std::array<std::int16_t, k_most> joint{};
+    std::array<std::int16_t, k_most> parent{};  ///< slot, or -1
+    std::array<Side, 2> side;
+};
+
+/// `standing` is the pose, in model space, that `legs` was made from. No paths (count 0) where a skeleton has more than
+/// k_most joints in them.
+LegPaths make_leg_paths(const Skeleton& skeleton, const Legs& legs, std::span<const Transform> standing);
+
+/// Solves both legs of the blended pose `locals` (joint_count() transforms) for the blended feet of the frame's leaves.
+/// Nothing changes where one of the clips has no foot track, or a lone clip plays. Never allocates or fails.
+void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, const LocomotionFrame& frame,
+                std::span<Transform> locals) noexcept;
+
+}  // namespace surefoot

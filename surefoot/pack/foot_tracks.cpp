@@ -1,0 +1,99 @@
+#include <surefoot/pack/foot_tracks.h>
+#include <surefoot/clip/sample.h>
+#include <surefoot/graph/locomotion.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+constexpr float k_usual_duty = 0.6f;
+constexpr float k_least_lift = 0.1f, k_most_lift = 0.9f;  // a stance outside is a mistake of the events
+
+float strike_phase(Side side) { return side == Side::left ? 0.0f : 0.5f; }
+
+/// Seconds at a phase, counted on over the ends of the clip.
+float time_of(const PackedClip& clip, float phase) {
+    const auto cycles = static_cast<float>(clip.cycles);
+    const float passes = std::floor((phase - clip.phase_map.front()[1]) / cycles);
+    return passes * clip.duration() + time_at(clip, phase);
+}
+
+/// Share of each step's phase at which the foot leaves the ground: by the last toe-off in it.
+std::vector<float> lifts(const PackedClip& clip, const ClipFacts& facts, Side side) {
+    const float usual = facts.duty > 0 ? std::clamp(facts.duty, k_least_lift, k_most_lift) : k_usual_duty;
+    std::vector<float> lift(static_cast<std::size_t>(clip.cycles), 0.0f);
+    for (const PhaseEvent& event : facts.events) {
+        if (event.kind != StrideEvent::toe_off || event.foot != side) continue;
+        const float after = phase_at(clip, event.time) - strike_phase(side), step = std::floor(after);
+        const float share = after - step;
+        if (share < k_least_lift || share > k_most_lift) continue;
+        const int at = (static_cast<int>(step) + clip.cycles) % clip.cycles;
+        lift[static_cast<std::size_t>(at)] = std::max(lift[static_cast<std::size_t>(at)], share);
+    }
+    for (float& share : lift)
+        if (share == 0) share = usual;
+    return lift;
+}
+
+std::vector<FootStep> make_steps(const PackedClip& clip, const ClipFacts& facts, Side side) {
+    std::vector<FootStep> steps;
+    for (const float lift : lifts(clip, facts, side)) {
+        const float strike = strike_phase(side) + static_cast<float>(steps.size()), from = time_of(clip, strike);
+        steps.push_back({lift, time_of(clip, strike + lift) - from, time_of(clip, strike + 1) - from});
+    }
+    return steps;
+}
+
+/// Age at `elapsed` seconds after the strike of `step`; `next` is the step after it. In the swing a cubic leads from
+/// the end of one stance to the beginning of the other, with slope 1 at both, so that age is smooth.
+float age_at(const FootStep& step, const FootStep& next, float elapsed) {
+    if (elapsed <= step.stance) return elapsed - 0.5f * step.stance;
+    const float swing = step.duration - step.stance, t = std::min((elapsed - step.stance) / swing, 1.0f), u = 1 - t;
+    return 0.5f * step.stance * (u * u * (1 + 2 * t)) + swing * (t * u * u) -
+           0.5f * next.stance * (t * t * (3 - 2 * t)) - swing * (t * t * u);
+}
+
+float age_of_frame(const PackedClip& clip, const std::vector<FootStep>& steps, Side side, float time) {
+    if (steps.empty()) return 0;
+    const float after = phase_at(clip, time) - strike_phase(side), whole = std::floor(after);
+    const std::size_t count = steps.size();
+    const std::size_t at = (static_cast<std::size_t>(static_cast<int>(whole) + clip.cycles)) % count;
+    const float strike = strike_phase(side) + whole;
+    return age_at(steps[at], steps[(at + 1) % count], time_of(clip, strike + after - whole) - time_of(clip, strike));
+}
+
+FootTrack make_track(const PackedClip& clip, const Skeleton& skeleton, const Leg& leg, Side side,
+                     std::span<const Transform> locals, const ClipFacts& facts) {
+    const std::size_t joints = skeleton.rest.size();
+    std::vector<Transform> models(joints);
+    FootTrack track;
+    if (clip.cycles > 0) track.steps = make_steps(clip, facts, side);
+    for (int f = 0; f < clip.frame_count; ++f) {
+        const std::span<const Transform> frame = locals.subspan(static_cast<std::size_t>(f) * joints, joints);
+        local_to_model(skeleton, frame, models);
+        FootKey key;
+        key.age = age_of_frame(clip, track.steps, side, static_cast<float>(f) / clip.fps);
+        key.print = to_transform(integrate(clip.velocity, clip.turn_rate, key.age)) *
+                    models[static_cast<std::size_t>(leg.foot)];
+        if (leg.toes != k_no_joint) key.toes = frame[static_cast<std::size_t>(leg.toes)].rotation;
+        // Keys of one hemisphere each may be mixed without looking at signs.
+        if (!track.keys.empty()) {
+            key.print.rotation = aligned(key.print.rotation, track.keys.back().print.rotation);
+            key.toes = aligned(key.toes, track.keys.back().toes);
+        }
+        track.keys.push_back(key);
+    }
+    return track;
+}
+
+}  // namespace
+
+std::array<FootTrack, 2> make_foot_tracks(const PackedClip& clip, const Skeleton& skeleton, const Legs& legs,
+                                          std::span<const Transform> locals, const ClipFacts& facts) {
+    return {make_track(clip, skeleton, legs[Side::left], Side::left, locals, facts),
+            make_track(clip, skeleton, legs[Side::right], Side::right, locals, facts)};
+}
+
+}  // namespace surefoot
