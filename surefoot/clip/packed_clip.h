@@ -2,7 +2,7 @@
 // The runtime form of a clip: 16-bit rotations in blocks of eight joints, the few translations that move, root motion
 // and phase apart. Immutable, shared by all characters. Made by pack/pack_clip.h, which also measures the error.
 
-#include <surefoot/clip/foot_track.h>
+#include <surefoot/clip/foot_prints.h>
 #include <surefoot/math/transform.h>
 
 #include <array>
@@ -49,7 +49,7 @@ struct PackedClip {
     int cycles = 0;  ///< cycles of two steps in the clip, 0 without a phase map
 
     /// By Side. Both have keys or neither; steps where there are cycles.
-    std::array<FootTrack, 2> feet;
+    std::array<FootPrints, 2> feet;
 
     int block_count() const noexcept { return (joint_count + k_lanes - 1) / k_lanes; }
     float duration() const noexcept { return static_cast<float>(frame_count - 1) / fps; }

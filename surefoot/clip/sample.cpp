@@ -163,9 +163,9 @@ std::string problem(const PackedClip& clip) {
         if (clip.moving[i] < (i > 0 ? clip.moving[i - 1] + 1 : 0) || clip.moving[i] >= clip.joint_count)
             return where + "names moving joints out of order";
     if (clip.root.size() != frames) return where + "has a root track that does not match its frames";
-    for (const FootTrack& foot : clip.feet) {
+    for (const FootPrints& foot : clip.feet) {
         if (foot.keys.empty() != clip.feet[0].keys.empty() || (!foot.keys.empty() && foot.keys.size() != frames))
-            return where + "has a foot track that does not match its frames";
+            return where + "has a footprint track that does not match its frames";
         if (!foot.keys.empty() && foot.steps.size() != static_cast<std::size_t>(clip.cycles))
             return where + "has foot steps that do not match its cycles";
         for (const FootStep& step : foot.steps)

@@ -15,7 +15,7 @@ constexpr float k_most_pace = 4;  // times faster or slower than its clips a ble
 /// What a leaf's foot is doing: which step, and how much the leaf has to say about timing.
 struct FootLeaf {
     const PackedClip* clip;
-    const FootTrack* track;
+    const FootPrints* track;
     float weight;  ///< adds up to 1
     float say;     ///< of the leaf's speed, adds up to 1; 0 for clips without steps
     float time;    ///< [s] of the body
@@ -70,7 +70,7 @@ float own_share(const FootStep& step, float share, float duty) noexcept {
     return share < duty ? share / duty * step.lift : step.lift + (share - duty) / (1 - duty) * (1 - step.lift);
 }
 
-FootKey key_at(const PackedClip& clip, const FootTrack& track, float time) noexcept {
+FootKey key_at(const PackedClip& clip, const FootPrints& track, float time) noexcept {
     const float frame = std::clamp(time * clip.fps, 0.0f, static_cast<float>(clip.frame_count - 1));
     const int from = std::min(static_cast<int>(frame), clip.frame_count - 2);
     const float t = frame - static_cast<float>(from);

@@ -2,7 +2,7 @@
 // Blended legs whose feet are where the blend's feet should be.
 //
 // A weighted mean of joint angles puts each clip's planted foot somewhere near, and lets it slide. What must be blended
-// is where the feet stand: each clip's foot as seen from mid-stance (clip/foot_track.h) is one constant frame while it
+// is where the feet stand: each clip's foot as seen from mid-stance (clip/foot_prints.h) is one constant frame while it
 // stands, so their weighted mean is constant too; seen from the blended root, which moves on with the blended velocity
 // and turn, it is a foot that stands still in the world. So says the algebra for clips of any speed, turn and
 // direction, whatever the phase rate. Each foot keeps time by itself: stance meets stance and swing meets swing though

@@ -1,7 +1,7 @@
 #include <surefoot/base/error.h>
 #include <surefoot/clip/sample.h>
 #include <surefoot/graph/locomotion.h>
-#include <surefoot/pack/foot_tracks.h>
+#include <surefoot/pack/foot_prints.h>
 #include <surefoot/pack/pack_clip.h>
 #include <surefoot/pack/steady_root.h>
 
@@ -174,7 +174,7 @@ PackedClip pack_clip(const Motion& given, const ClipFacts& facts, const PackOpti
     pack_translations(clip, *motion.skeleton, locals, options.moving_translation);
     pack_phase(clip, facts);
     if (options.legs != nullptr && options.legs->known() && options.steady_root)
-        clip.feet = make_foot_tracks(clip, *motion.skeleton, *options.legs, locals, facts);
+        clip.feet = make_foot_prints(clip, *motion.skeleton, *options.legs, locals, facts);
     if (report != nullptr) {
         *report = measure_packing(motion, clip);
         for (const RootFrame& deviation : steady.deviation) {

@@ -20,7 +20,7 @@ struct PackOptions {
     /// where travel is within 45 degrees of ahead or behind]
     bool along_travel = false;
     float moving_translation = 1e-5f;  ///< [m] a translation that strays no farther from rest is dropped
-    /// The character's legs: the clip then knows where its feet stand (clip/foot_track.h). Null, or a root that is not
+    /// The character's legs: the clip then knows where its feet stand (clip/foot_prints.h). Null, or a root that is not
     /// steady: it does not, and its blends have no feet of their own.
     const Legs* legs = nullptr;
 };

@@ -114,7 +114,7 @@ SteadyPlay play_clip(const Character& character, int clip) {
         const float within = now - std::floor(now / own) * own;
         leaf.time = within <= packed.duration() ? within : own - within;
         play.motion.root[static_cast<std::size_t>(f)] = integrate(packed.velocity, packed.turn_rate, now);
-        pose(character.graph, {&leaf, 1}, play.motion.frame(f));
+        sample_pose(*character.skeleton, character.graph.clips, {&leaf, 1}, play.motion.frame(f));
     }
     return play;
 }

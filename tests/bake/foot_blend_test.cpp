@@ -166,12 +166,12 @@ TEST(FootBlend, nothing_is_allocated) {
     EXPECT_EQ(test::allocation_count(), before);
 }
 
-TEST(FootTracks, a_standing_foots_print_does_not_move) {
+TEST(FootPrints, a_standing_foots_print_does_not_move) {
     const Character& character = default_character();
     for (const PackedClip& clip : character.graph.clips) {
         if (clip.cycles == 0) continue;
         for (std::size_t side = 0; side < 2; ++side) {
-            const FootTrack& track = clip.feet[side];
+            const FootPrints& track = clip.feet[side];
             ASSERT_EQ(track.keys.size(), static_cast<std::size_t>(clip.frame_count)) << clip.name;
             const Leg& leg = character.legs.side[side];
             float stray = 0;
@@ -188,12 +188,12 @@ TEST(FootTracks, a_standing_foots_print_does_not_move) {
     }
 }
 
-TEST(FootTracks, steps_tell_stance_and_swing_of_the_cycle) {
+TEST(FootPrints, steps_tell_stance_and_swing_of_the_cycle) {
     const Character& character = default_character();
     for (std::size_t i = 0; i < character.graph.clips.size(); ++i) {
         const PackedClip& clip = character.graph.clips[i];
         if (clip.cycles == 0) continue;
-        for (const FootTrack& track : clip.feet) {
+        for (const FootPrints& track : clip.feet) {
             ASSERT_EQ(track.steps.size(), 1u);
             EXPECT_NEAR(track.steps[0].duration, clip.duration(), 1e-4f);
             EXPECT_NEAR(track.steps[0].stance, track.steps[0].lift * clip.duration(), 0.02f);
@@ -201,11 +201,11 @@ TEST(FootTracks, steps_tell_stance_and_swing_of_the_cycle) {
     }
 }
 
-TEST(FootTracks, tracks_that_do_not_fit_their_clip_are_found) {
+TEST(FootPrints, tracks_that_do_not_fit_their_clip_are_found) {
     PackedClip clip = default_character().graph.clips[1];
     ASSERT_EQ(problem(clip), "");
     clip.feet[1].keys.pop_back();
-    EXPECT_NE(problem(clip).find("foot track"), std::string::npos);
+    EXPECT_NE(problem(clip).find("footprint track"), std::string::npos);
     clip = default_character().graph.clips[1];
     clip.feet[0].steps.push_back({});
     EXPECT_NE(problem(clip).find("foot steps"), std::string::npos);

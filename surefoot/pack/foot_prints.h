@@ -1,5 +1,5 @@
 #pragma once
-// The foot tracks of a clip (clip/foot_track.h), measured from its poses.
+// The foot tracks of a clip (clip/foot_prints.h), measured from its poses.
 
 #include <surefoot/analysis/clip_facts.h>
 #include <surefoot/clip/packed_clip.h>
@@ -14,7 +14,7 @@ namespace surefoot {
 /// Tracks of both feet. `clip` has its velocity, turn rate and phase map already; `locals` [frame * joints + joint] are
 /// its poses as seen from its steady root; `facts` tells when feet leave the ground (where it does not: after
 /// `facts.duty`, or 60 %, of a step). Clips without cycles get tracks of age 0.
-std::array<FootTrack, 2> make_foot_tracks(const PackedClip& clip, const Skeleton& skeleton, const Legs& legs,
-                                          std::span<const Transform> locals, const ClipFacts& facts);
+std::array<FootPrints, 2> make_foot_prints(const PackedClip& clip, const Skeleton& skeleton, const Legs& legs,
+                                           std::span<const Transform> locals, const ClipFacts& facts);
 
 }  // namespace surefoot

@@ -1,6 +1,6 @@
-#include <surefoot/pack/foot_tracks.h>
 #include <surefoot/clip/sample.h>
 #include <surefoot/graph/locomotion.h>
+#include <surefoot/pack/foot_prints.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,11 +64,11 @@ float age_of_frame(const PackedClip& clip, const std::vector<FootStep>& steps, S
     return age_at(steps[at], steps[(at + 1) % count], time_of(clip, strike + after - whole) - time_of(clip, strike));
 }
 
-FootTrack make_track(const PackedClip& clip, const Skeleton& skeleton, const Leg& leg, Side side,
-                     std::span<const Transform> locals, const ClipFacts& facts) {
+FootPrints make_track(const PackedClip& clip, const Skeleton& skeleton, const Leg& leg, Side side,
+                      std::span<const Transform> locals, const ClipFacts& facts) {
     const std::size_t joints = skeleton.rest.size();
     std::vector<Transform> models(joints);
-    FootTrack track;
+    FootPrints track;
     if (clip.cycles > 0) track.steps = make_steps(clip, facts, side);
     for (int f = 0; f < clip.frame_count; ++f) {
         const std::span<const Transform> frame = locals.subspan(static_cast<std::size_t>(f) * joints, joints);
@@ -90,8 +90,8 @@ FootTrack make_track(const PackedClip& clip, const Skeleton& skeleton, const Leg
 
 }  // namespace
 
-std::array<FootTrack, 2> make_foot_tracks(const PackedClip& clip, const Skeleton& skeleton, const Legs& legs,
-                                          std::span<const Transform> locals, const ClipFacts& facts) {
+std::array<FootPrints, 2> make_foot_prints(const PackedClip& clip, const Skeleton& skeleton, const Legs& legs,
+                                           std::span<const Transform> locals, const ClipFacts& facts) {
     return {make_track(clip, skeleton, legs[Side::left], Side::left, locals, facts),
             make_track(clip, skeleton, legs[Side::right], Side::right, locals, facts)};
 }

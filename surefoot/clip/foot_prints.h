@@ -26,7 +26,7 @@ struct FootStep {
     float duration = 1;   ///< [s] [Limit: > stance]
 };
 
-struct FootTrack {
+struct FootPrints {
     std::vector<FootKey> keys;    ///< one a frame; empty where the clip has none
     std::vector<FootStep> steps;  ///< one a cycle, the first from the strike of phase 0 (left) or 0.5 (right) on
 };
