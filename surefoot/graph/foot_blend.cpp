@@ -93,12 +93,40 @@ Vec3 stand_on(const LegPaths::Side& leg, Quat rotation, Vec3 heel, Vec3 ball) no
     return lerp(heel - rotate(rotation, leg.heel), ball - rotate(rotation, leg.ball), t * t * (3 - 2 * t));
 }
 
+/// The sole's two places as the leaves have them. Clips that stand (idles) keep a stepping foot where it is, but must
+/// not keep it on the ground: a foot that is on its way has to leave it, or it shuffles.
+class SoleMean {
+  public:
+    void add(Vec3 heel, Vec3 ball, float weight, bool steps) noexcept {
+        heel_ += heel * weight;
+        ball_ += ball * weight;
+        if (!steps) return;
+        stepping_ += weight;
+        heel_lift_ += heel.y * weight;
+        ball_lift_ += ball.y * weight;
+    }
+    Vec3 heel() const noexcept { return lifted(heel_, heel_lift_); }
+    Vec3 ball() const noexcept { return lifted(ball_, ball_lift_); }
+
+  private:
+    Vec3 lifted(Vec3 mean, float stepping_height) const noexcept {
+        constexpr float k_half = 0.15f;  // weight of the stepping clips at which half their height is reached, about
+        if (!(stepping_ > 0 && stepping_ < 1)) return mean;
+        const float share = stepping_ * (1 + k_half) / (stepping_ + k_half);
+        const float standing_height = (mean.y - stepping_height) / (1 - stepping_);
+        mean.y = share * (stepping_height / stepping_) + (1 - share) * standing_height;
+        return mean;
+    }
+    Vec3 heel_, ball_;
+    float stepping_ = 0, heel_lift_ = 0, ball_lift_ = 0;
+};
+
 /// The weighted mean of the leaves' keys. `strike` is the side's own phase of 0. Heel and ball are what is averaged:
 /// the foot rolls about one and then the other, which stand still, while the ankle moves on a curve that no mean keeps.
 FootKey mean_key(const LegPaths::Side& leg, const FootLeaves& leaves, float strike, float share) noexcept {
     const float duty = blended_duty(leaves);
     FootKey mean{{{0, 0, 0, 0}, {}}, {0, 0, 0, 0}, 0};
-    Vec3 heel, ball;
+    SoleMean sole;
     for (const FootLeaf& leaf : leaves.all()) {
         float time = leaf.time;
         if (leaf.clip->cycles > 0) {
@@ -106,14 +134,14 @@ FootKey mean_key(const LegPaths::Side& leg, const FootLeaves& leaves, float stri
             time = time_at(*leaf.clip, strike + static_cast<float>(leaf.step) + own_share(step, share, duty));
         }
         const FootKey key = key_at(*leaf.clip, *leaf.track, time);
-        heel += transform_point(key.print, leg.heel) * leaf.weight;
-        ball += transform_point(key.print, leg.ball) * leaf.weight;
+        sole.add(transform_point(key.print, leg.heel), transform_point(key.print, leg.ball), leaf.weight,
+                 leaf.clip->cycles > 0);
         add(mean.print.rotation, key.print.rotation, leaf.weight);
         add(mean.toes, key.toes, leaf.weight);
         mean.age += key.age * leaf.say;
     }
     mean.print.rotation = normalized(mean.print.rotation);
-    mean.print.translation = stand_on(leg, mean.print.rotation, heel, ball);
+    mean.print.translation = stand_on(leg, mean.print.rotation, sole.heel(), sole.ball());
     mean.toes = normalized(mean.toes);
     return mean;
 }

@@ -157,6 +157,23 @@ TEST(FootBlend, poses_move_smoothly_through_the_cycle) {
     EXPECT_LT(hardest({1.0f, 45, 0}), 1.5f * walk);
 }
 
+TEST(FootBlend, a_foot_on_its_way_leaves_the_ground_however_small_the_step) {
+    const Character& character = default_character();
+    const std::size_t joints = character.skeleton->rest.size();
+    std::vector<Transform> locals(joints), models(joints);
+    LocomotionState state;
+    float highest = 0;
+    for (int i = 0; i < 300; ++i) {
+        pose(character.graph, update(character.graph, state, {0.1f, 0, 0}, k_dt), locals);
+        local_to_model(*character.skeleton, locals, models);
+        const Leg& leg = character.legs.side[0];
+        const Transform& foot = models[static_cast<std::size_t>(leg.foot)];
+        highest = std::max(highest, std::min(transform_point(foot, leg.heel).y, transform_point(foot, leg.ball).y));
+    }
+    EXPECT_GT(highest, 0.015f);
+    EXPECT_LT(highest, 0.1f);
+}
+
 TEST(FootBlend, nothing_is_allocated) {
     const Character& character = default_character();
     std::vector<Transform> locals(character.skeleton->rest.size());
