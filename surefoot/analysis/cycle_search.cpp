@@ -67,6 +67,31 @@ std::vector<int> strikes_of(const ClipFacts& facts, Side side) {
     return frames;
 }
 
+/// Strikes of both feet from one of the left foot to a later one, in order; empty where the feet do not alternate.
+std::vector<int> alternating(const std::vector<int>& left, std::size_t from, std::size_t to,
+                             const std::vector<int>& right) {
+    std::vector<int> strikes{left[from]};
+    for (std::size_t i = from; i < to; ++i) {
+        const auto own = std::lower_bound(right.begin(), right.end(), left[i]);
+        const auto beyond = std::upper_bound(right.begin(), right.end(), left[i + 1]);
+        if (beyond - own != 1) return {};
+        strikes.push_back(*own);
+        strikes.push_back(left[i + 1]);
+    }
+    return strikes;
+}
+
+/// A step that takes far longer than another one is a halt, or hides a step that was not seen.
+bool evenly_stepped(const std::vector<int>& strikes) {
+    constexpr int k_most = 2;  // times as long; a limp and turns on the spot stay below
+    int shortest = 1 << 30, longest = 0;
+    for (std::size_t i = 1; i < strikes.size(); ++i) {
+        shortest = std::min(shortest, strikes[i] - strikes[i - 1]);
+        longest = std::max(longest, strikes[i] - strikes[i - 1]);
+    }
+    return longest <= k_most * shortest;
+}
+
 /// The closing frame near `guess` whose pose matches that of `first` best.
 CycleCandidate closed_near(const KeyPoses& poses, int first, int guess) {
     const int reach = std::max(1, static_cast<int>(k_search * static_cast<float>(guess - first)));
@@ -173,9 +198,8 @@ std::vector<CycleCandidate> cycle_candidates(const AnalyzedClip& take, const Key
             const int first = left[i], guess = left[i + strides];
             const float time = static_cast<float>(guess - first) / motion.fps / static_cast<float>(strides);
             if (time < k_shortest || time > k_longest) continue;
-            const auto between_them = std::upper_bound(right.begin(), right.end(), guess) -
-                                      std::lower_bound(right.begin(), right.end(), first);
-            if (between_them != static_cast<std::ptrdiff_t>(strides)) continue;  // the feet do not alternate
+            const std::vector<int> strikes = alternating(left, i, i + strides, right);
+            if (strikes.empty() || !evenly_stepped(strikes)) continue;
             CycleCandidate c = best_phase(motion, poses, first, guess);
             if (c.last <= c.first || c.seam > k_best_seam) continue;
             c.strike = first >= c.first ? first : guess;
