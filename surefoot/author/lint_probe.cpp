@@ -59,32 +59,43 @@ std::string place(const ProbeSpace& space, const ProbeCell& cell) {
     return text;
 }
 
+/// What the blend adds to a figure of its clips: their own faults are found by other rules (root-disagrees).
+double added(const ProbeCell& cell, ProbeFigure figure) {
+    return std::fabs(static_cast<double>(cell.blend[figure]) - cell.sources[figure]);
+}
+
 void probe_speed(LintContext& context, const ProbeSpace& space) {
     const double most = context.threshold("probe-speed", "error");
-    const auto error = [](const ProbeCell& cell) {
-        return std::max(std::fabs(cell.blend[ProbeFigure::speed]), std::fabs(cell.blend[ProbeFigure::lateral]));
+    const auto slips = [](const ProbeCell& cell) {
+        return added(cell, ProbeFigure::lateral) > added(cell, ProbeFigure::speed);
     };
     add_findings(
-        context, space, "probe-speed", [&](const ProbeCell& cell) { return error(cell) - most; },
+        context, space, "probe-speed",
         [&](const ProbeCell& cell) {
-            const bool slips = std::fabs(cell.blend[ProbeFigure::lateral]) > std::fabs(cell.blend[ProbeFigure::speed]);
-            return fmt::format("at {} the feet go {:.0f} % {} than asked: they slide by the difference",
-                               place(space, cell), error(cell),
-                               slips                                ? "farther to a side"
-                               : cell.blend[ProbeFigure::speed] > 0 ? "faster"
-                                                                    : "slower");
+            return added(cell, slips(cell) ? ProbeFigure::lateral : ProbeFigure::speed) - most;
+        },
+        [&](const ProbeCell& cell) {
+            const ProbeFigure figure = slips(cell) ? ProbeFigure::lateral : ProbeFigure::speed;
+            const float error = cell.blend[figure];
+            const char* way = slips(cell) ? (error > 0 ? "too far to the left" : "too far to the right")
+                              : error > 0 ? "faster than asked"
+                                          : "slower than asked";
+            return fmt::format(
+                "at {} the feet go {:.0f} % {} ({:+.0f} % in the clips alone): they slide by the difference",
+                place(space, cell), std::fabs(error), way, cell.sources[figure]);
         });
 }
 
 void probe_turn(LintContext& context, const ProbeSpace& space) {
     const double most = context.threshold("probe-turn", "error");
     add_findings(
-        context, space, "probe-turn",
-        [&](const ProbeCell& cell) { return std::fabs(cell.blend[ProbeFigure::turn]) - most; },
+        context, space, "probe-turn", [&](const ProbeCell& cell) { return added(cell, ProbeFigure::turn) - most; },
         [&](const ProbeCell& cell) {
-            return fmt::format("at {} the feet turn {:.0f} deg/s more to the {} than asked: they twist on the ground",
-                               place(space, cell), std::fabs(cell.blend[ProbeFigure::turn]),
-                               cell.blend[ProbeFigure::turn] > 0 ? "left" : "right");
+            return fmt::format(
+                "at {} the feet turn {:.0f} deg/s too far to the {} ({:+.0f} in the clips alone): they "
+                "twist on the ground",
+                place(space, cell), std::fabs(cell.blend[ProbeFigure::turn]),
+                cell.blend[ProbeFigure::turn] > 0 ? "left" : "right", cell.sources[ProbeFigure::turn]);
         });
 }
 

@@ -73,6 +73,7 @@ Json summary_json(const std::vector<ProbeSpace>& spaces) {
             {"mean", short_number(static_cast<float>(stat.mean))},
             {"worst", short_number(static_cast<float>(stat.worst))},
             {"source_mean", short_number(static_cast<float>(stat.source))},
+            {"added_mean", short_number(static_cast<float>(stat.added))},
             {"worst_cell", {{"space", space.name}, {"at", numbers(cell.at)}, {"clips", clips}}}};
     }
     result["skate_ratio"] = short_number(static_cast<float>(skate_ratio(spaces)));

@@ -41,8 +41,8 @@ std::string number(double value, int decimals) {
 std::string stat_text(ProbeFigure figure, const std::vector<ProbeSpace>& spaces) {
     const ProbeStat stat = probe_stat(spaces, figure);
     const int decimals = text_of(figure).decimals;
-    return fmt::format("{:>9} {:>9} {:>9}", number(stat.mean, decimals), number(stat.source, decimals),
-                       number(stat.worst, decimals));
+    return fmt::format("{:>9} {:>9} {:>9} {:>9}", number(stat.mean, decimals), number(stat.source, decimals),
+                       number(stat.added, decimals), number(stat.worst, decimals));
 }
 
 std::string worst_text(ProbeFigure figure, const ProbeResult& result) {
@@ -66,10 +66,11 @@ ProbeStat probe_stat(const std::vector<ProbeSpace>& spaces, ProbeFigure figure) 
             const double value = cell.blend[figure], source = cell.sources[figure];
             stat.mean += figure == ProbeFigure::leg_gap ? value : std::fabs(value);
             stat.source += figure == ProbeFigure::leg_gap ? source : std::fabs(source);
+            stat.added += std::fabs(value - source);
             if (stat.cells++ == 0 || worse(figure, value, stat.worst))
                 stat.worst = value, stat.space = static_cast<int>(s), stat.cell = static_cast<int>(c);
         }
-    if (stat.cells > 0) stat.mean /= stat.cells, stat.source /= stat.cells;
+    if (stat.cells > 0) stat.mean /= stat.cells, stat.source /= stat.cells, stat.added /= stat.cells;
     return stat;
 }
 
@@ -100,10 +101,10 @@ std::string probe_table(const ProbeResult& result, const ProbeResult* before) {
     std::size_t cells = 0;
     for (const ProbeSpace& space : result.spaces) cells += space.cells.size();
     std::string text = fmt::format("probe of {} blends, measured from the standing feet", cells);
-    if (before) text += fmt::format("{:>14}{:>30}", "before", "after");
+    if (before) text += "; before and after";
     text += fmt::format("\n{:<18} {:<7}", "", "");
     for (int column = before ? 2 : 1; column > 0; --column)
-        text += fmt::format(" {:>9} {:>9} {:>9}", "mean", "sources'", "worst");
+        text += fmt::format(" {:>9} {:>9} {:>9} {:>9}", "mean", "sources'", "added", "worst");
     text += "\n";
     for (int f = 0; f < k_probe_figures; ++f) {
         const auto figure = static_cast<ProbeFigure>(f);

@@ -83,6 +83,7 @@ struct ProbeStat {
     int space = -1;    ///< where the worst is; -1 without cells
     int cell = -1;
     double source = 0;  ///< mean of the sources'
+    double added = 0;   ///< mean distance from the sources': what blending did
     int cells = 0;      ///< measured ones
 };
 ProbeStat probe_stat(const std::vector<ProbeSpace>& spaces, ProbeFigure figure);
@@ -102,7 +103,7 @@ std::string describe_cell(const ProbeSpace& space, const ProbeCell& cell);
 std::string probe_table(const ProbeResult& result, const ProbeResult* before = nullptr);
 
 /// The shape under "probe" in a project file and in `surefoot lint --json`:
-/// {"summary": {figure: {"mean", "worst", "source_mean", "worst_cell": {"space", "at"}}, "skate_ratio"},
+/// {"summary": {figure: {"mean", "worst", "source_mean", "added_mean", "worst_cell": {"space", "at"}}, "skate_ratio"},
 ///  "spaces": [{"name", "axes": [{"name", "unit", "low", "high", "points"}], "clips": [..],
 ///   "cells": [{"grid": [..], "at": [..], "clips": [..], "weights": [..], "obtained": {"forward_mps", "lateral_mps",
 ///   "turn_deg_s"}, "blend": {figure: value}, "sources": {figure: value}}]}], "before": {the same}|absent}.

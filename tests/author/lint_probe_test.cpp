@@ -74,6 +74,8 @@ TEST(lint_probe, what_the_clips_do_themselves_is_not_blamed_on_the_blend) {
     Project project = probed();
     ProbeCell& cell = project.probe.spaces[0].cells[1];
     cell.blend[ProbeFigure::leg_gap] = -4, cell.sources[ProbeFigure::leg_gap] = -3.5f;
+    cell.blend[ProbeFigure::speed] = -14, cell.sources[ProbeFigure::speed] = -5;
+    cell.blend[ProbeFigure::turn] = 19, cell.sources[ProbeFigure::turn] = 12;
     cell.blend[ProbeFigure::skate] = 2, cell.sources[ProbeFigure::skate] = 0.5f;  // four times, and nobody sees it
     cell.blend[ProbeFigure::knee_peak] = 900, cell.sources[ProbeFigure::knee_peak] = 100;
     for (const Finding& finding : lint(project).findings) EXPECT_NE(finding.rule.rfind("probe-", 0), 0u);

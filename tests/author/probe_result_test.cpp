@@ -36,6 +36,7 @@ TEST(probe_result, mean_and_worst_are_of_sizes_and_name_the_cell) {
     EXPECT_DOUBLE_EQ(speed.mean, 2);
     EXPECT_DOUBLE_EQ(speed.worst, -2.5);
     EXPECT_EQ(speed.cell, 1);
+    EXPECT_DOUBLE_EQ(probe_stat(result.spaces, ProbeFigure::skate).added, 2);
     const ProbeStat gap = probe_stat(result.spaces, ProbeFigure::leg_gap);
     EXPECT_DOUBLE_EQ(gap.mean, 1);
     EXPECT_DOUBLE_EQ(gap.worst, -1) << "the narrowest gap is the worst";
