@@ -11,12 +11,44 @@ namespace {
 
 constexpr float k_least_speed = 0.5f;  // [m/s] errors of slower requests are shares of this
 
+/// The ground under a root that climbs: it rises along the way of the root. Level ground has no rise.
+struct Incline {
+    Vec3 along;      ///< unit, level, in the root's frame
+    float rise = 0;  ///< metres a metre
+
+    explicit Incline(Vec3 velocity) {
+        constexpr float k_travels = 0.05f;  // [m/s] slower, a rise is no slope
+        const float planar = planar_length(velocity);
+        if (planar < k_travels) return;
+        along = {velocity.x / planar, 0, velocity.z / planar};
+        rise = velocity.y / planar;
+    }
+    /// Height of the ground at a point of the root's frame.
+    float at(Vec3 point) const { return rise * dot(point, along); }
+};
+
+void level(Tracks& tracks, const Incline& incline) {
+    for (FootTrack& foot : tracks.foot)
+        for (std::vector<Vec3>* points : {&foot.heel, &foot.mid, &foot.ball, &foot.tip})
+            for (Vec3& point : *points) point.y -= incline.at(point);
+}
+
+void level(WalkTrack& track, const Incline& incline) {
+    for (TrackFrame& frame : track.frames)
+        for (LegTrack& leg : frame.legs)
+            for (Vec3& point : leg.sole) {
+                const Vec3 seen = rotate(from_yaw(-frame.root.yaw), point - frame.root.position);
+                point.y -= frame.root.position.y + incline.at(seen);
+            }
+}
+
 /// The root's velocity from the pose alone: whatever the runtime did with the root is taken away first.
 void measure_ground(const Character& character, const SteadyPlay& play, float leg_length, PlayedFigures& result) {
     Motion in_place = cut(play.motion, play.first, play.last);
     std::fill(in_place.root.begin(), in_place.root.end(), RootFrame{});
     Tracks tracks = make_tracks(in_place, character.roles);
     add_soles(tracks, character.legs);
+    level(tracks, Incline(play.velocity));
     const GroundMotion ground = estimate_ground_motion(tracks, leg_length);
     result.standing = ground.coverage;
     if (!(result.standing > 0)) return;
@@ -57,12 +89,13 @@ PlayedFigures measure_play(const Character& character, const SteadyPlay& play, V
     measure_ground(character, play, leg, result);
     if (!(result.standing > 0)) return result;
     set_errors(result, asked, asked_turn);
-    const WalkTrack track = make_track(play.motion, character.legs);
+    WalkTrack track = make_track(play.motion, character.legs);
     const FrameRange range{static_cast<std::size_t>(play.first), static_cast<std::size_t>(play.last)};
-    set_skate(track, range, result.velocity - asked, result);
     result.figures[ProbeFigure::knee_peak] =
         static_cast<float>(std::max(knee_peak(track, 0, range), knee_peak(track, 1, range)));
     result.figures[ProbeFigure::leg_gap] = 100 * smallest_leg_gap(track, range, leg);
+    level(track, Incline(play.velocity));
+    set_skate(track, range, result.velocity - asked, result);
     return result;
 }
 

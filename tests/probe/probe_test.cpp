@@ -108,6 +108,25 @@ TEST(probe, a_root_that_turns_or_drifts_under_an_unchanged_pose_is_found_out) {
     EXPECT_NEAR(strafe.figures[ProbeFigure::speed], -100 * 0.1f / 1.1f, 1.0f);
 }
 
+TEST(probe, a_climb_is_measured_against_its_slope) {
+    // The walk on a plane tilted by 10 degrees, the body with it: the feet stand as they did on the level.
+    constexpr float k_tilt = 10 * k_radians_per_degree;
+    AnalyzedClip climb = clip_named("walk");
+    const int hips = climb.roles.roles[Role::hips];
+    for (std::size_t f = 0; f < climb.motion.root.size(); ++f) {
+        RootFrame& root = climb.motion.root[f];
+        const Vec3 level = root.position;
+        root.position = {level.x, level.z * sin(k_tilt), level.z * cos(k_tilt)};
+        Transform& local = climb.motion.frame(static_cast<int>(f))[static_cast<std::size_t>(hips)];
+        local = Transform{from_rotation_vector({-k_tilt, 0, 0}), {}} * local;
+    }
+    const PlayedFigures flat = alone(clip_named("walk")), steep = alone(climb);
+    EXPECT_NEAR(steep.velocity.z, flat.velocity.z * cos(k_tilt), 0.01f);
+    EXPECT_NEAR(steep.figures[ProbeFigure::speed], 0, 1);
+    EXPECT_NEAR(steep.figures[ProbeFigure::skate], flat.figures[ProbeFigure::skate], 1);
+    EXPECT_NEAR(steep.standing, flat.standing, 0.05f);
+}
+
 TEST(probe, a_pose_that_glides_without_a_step_obtains_nothing_of_its_speed) {
     AnalyzedClip glide = clip_named("idle");
     glide.facts.name = "glide";
