@@ -57,6 +57,24 @@ std::string worst_text(ProbeFigure figure, const ProbeResult& result) {
 
 const char* figure_key(ProbeFigure figure) noexcept { return text_of(figure).key; }
 
+float rounded_figure(float value) noexcept {
+    return static_cast<float>(std::round(static_cast<double>(value) * 1e4) / 1e4) + 0.0f;  // no -0
+}
+
+float grid_value(const ProbeAxis& axis, int point) noexcept {
+    if (axis.points < 2) return axis.low;
+    const float share = static_cast<float>(point) / static_cast<float>(axis.points - 1);
+    return rounded_figure(axis.low + share * (axis.high - axis.low));
+}
+
+bool next_grid_point(std::vector<int>& index, const std::vector<ProbeAxis>& axes) noexcept {
+    for (std::size_t k = index.size(); k-- > 0;) {
+        if (++index[k] < axes[k].points) return true;
+        index[k] = 0;
+    }
+    return false;
+}
+
 ProbeStat probe_stat(const std::vector<ProbeSpace>& spaces, ProbeFigure figure) {
     ProbeStat stat;
     for (std::size_t s = 0; s < spaces.size(); ++s)

@@ -62,6 +62,13 @@ struct ProbeAxis {
     friend bool operator==(const ProbeAxis&, const ProbeAxis&) = default;
 };
 
+/// The value at a grid point of an axis, rounded as figures are.
+float grid_value(const ProbeAxis& axis, int point) noexcept;
+/// The next point of a grid, the last axis fastest; false after the last one.
+bool next_grid_point(std::vector<int>& index, const std::vector<ProbeAxis>& axes) noexcept;
+/// To 1e-4: what is beyond says nothing, and files stay short.
+float rounded_figure(float value) noexcept;
+
 struct ProbeSpace {
     std::string name;
     std::vector<ProbeAxis> axes;

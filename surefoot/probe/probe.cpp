@@ -11,38 +11,27 @@ namespace surefoot {
 namespace {
 
 constexpr int k_default_grid[k_max_dimensions] = {41, 21, 9, 5};
-
-/// To 1e-4: what is beyond says nothing, and files stay short.
-float rounded(float value) {
-    return static_cast<float>(std::round(static_cast<double>(value) * 1e4) / 1e4) + 0.0f;  // no -0
-}
-
-/// The next point of the grid, the last axis fastest; false after the last one.
-bool next_point(std::vector<int>& index, const std::vector<ProbeAxis>& axes) {
-    for (std::size_t k = index.size(); k-- > 0;) {
-        if (++index[k] < axes[k].points) return true;
-        index[k] = 0;
-    }
-    return false;
-}
+constexpr double k_most_cells = 100'000;  // of a space: a minute or two
 
 ProbeSpace blank_space(const char* name, const LocomotionSpace& space, int grid) {
     ProbeSpace result;
     result.name = name;
     const int points = grid > 0 ? grid : k_default_grid[space.space.axes.size() - 1];
+    double cells = 1;
+    for (std::size_t k = 0; k < space.space.axes.size(); ++k) cells *= points;
+    if (cells > k_most_cells)
+        throw Error("a grid of " + std::to_string(points) + " points on each of " +
+                        std::to_string(space.space.axes.size()) + " axes is too fine to be probed",
+                    std::string("space '") + name + "'", "ask for fewer points");
     for (const Axis& axis : space.space.axes)
         result.axes.push_back({axis.name, axis.unit, axis.low, axis.high, points});
     std::vector<int> index(result.axes.size());
     do {
         ProbeCell cell;
         cell.grid = index;
-        for (std::size_t k = 0; k < index.size(); ++k) {
-            const ProbeAxis& axis = result.axes[k];
-            const float share = static_cast<float>(index[k]) / static_cast<float>(axis.points - 1);
-            cell.at.push_back(rounded(axis.low + share * (axis.high - axis.low)));
-        }
+        for (std::size_t k = 0; k < index.size(); ++k) cell.at.push_back(grid_value(result.axes[k], index[k]));
         result.cells.push_back(std::move(cell));
-    } while (next_point(index, result.axes));
+    } while (next_grid_point(index, result.axes));
     return result;
 }
 
@@ -75,15 +64,15 @@ bool measure_cell(const Character& character, const LocomotionSpace& space, cons
     const SteadyPlay play = play_request(character, request);
     if (play.clamped) return false;
     const PlayedFigures played = measure_play(character, play, {request.lateral, 0, request.speed}, request.turn);
-    for (const Leaf& leaf : play.leaves) cell.shares.push_back({leaf.clip, rounded(leaf.weight)});
-    cell.standing = rounded(played.standing);
-    cell.forward = rounded(played.velocity.z);
-    cell.lateral = rounded(played.velocity.x);
-    cell.turn = rounded(played.turn);
+    for (const Leaf& leaf : play.leaves) cell.shares.push_back({leaf.clip, rounded_figure(leaf.weight)});
+    cell.standing = rounded_figure(played.standing);
+    cell.forward = rounded_figure(played.velocity.z);
+    cell.lateral = rounded_figure(played.velocity.x);
+    cell.turn = rounded_figure(played.turn);
     cell.blend = played.figures;
     if (played.standing > 0) cell.sources = weighted(play.leaves, clips);
-    for (float& value : cell.blend.value) value = rounded(value);
-    for (float& value : cell.sources.value) value = rounded(value);
+    for (float& value : cell.blend.value) value = rounded_figure(value);
+    for (float& value : cell.sources.value) value = rounded_figure(value);
     return true;
 }
 
