@@ -42,19 +42,22 @@ void level(WalkTrack& track, const Incline& incline) {
             }
 }
 
-/// The root's velocity from the pose alone: whatever the runtime did with the root is taken away first.
-void measure_ground(const Character& character, const SteadyPlay& play, float leg_length, PlayedFigures& result) {
+/// The root's velocity from the pose alone: whatever the runtime did with the root is taken away first. Speed is what
+/// the feet say under the turn asked for: their own turn is the least sure of what they say, and would spoil it.
+void measure_ground(const Character& character, const SteadyPlay& play, float leg_length, float asked_turn,
+                    PlayedFigures& result) {
     Motion in_place = cut(play.motion, play.first, play.last);
     std::fill(in_place.root.begin(), in_place.root.end(), RootFrame{});
     Tracks tracks = make_tracks(in_place, character.roles);
     add_soles(tracks, character.legs);
     level(tracks, Incline(play.velocity));
-    const GroundMotion ground = estimate_ground_motion(tracks, leg_length);
+    const float asked = asked_turn * k_radians_per_degree;
+    const GroundMotion ground = estimate_ground_motion(tracks, leg_length, &asked);
     result.standing = ground.coverage;
     if (!(result.standing > 0)) return;
     // Of the centre, moved to the root's origin: V + omega x (0 - centre).
     result.velocity = ground.velocity + Vec3{-ground.turn * ground.centre.z, 0, ground.turn * ground.centre.x};
-    result.turn = ground.turn * k_degrees_per_radian;
+    result.turn = estimate_ground_motion(tracks, leg_length).turn * k_degrees_per_radian;
 }
 
 void set_errors(PlayedFigures& result, Vec3 asked, float asked_turn) {
@@ -86,7 +89,7 @@ void set_skate(const WalkTrack& track, FrameRange range, Vec3 slip, PlayedFigure
 PlayedFigures measure_play(const Character& character, const SteadyPlay& play, Vec3 asked, float asked_turn) {
     PlayedFigures result;
     const float leg = 0.5f * (character.legs[Side::left].length() + character.legs[Side::right].length());
-    measure_ground(character, play, leg, result);
+    measure_ground(character, play, leg, asked_turn, result);
     if (!(result.standing > 0)) return result;
     set_errors(result, asked, asked_turn);
     WalkTrack track = make_track(play.motion, character.legs);
