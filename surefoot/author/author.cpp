@@ -170,7 +170,10 @@ AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const 
 
     write_clips(folder, project, gathered.kept, options.mannequin);
     result.report_file = folder / "report.html";
-    write_file(result.report_file, report_html(project, {result.failed, result.warnings}));
+    std::vector<const AnalyzedClip*> analyzed;
+    for (const Candidate& candidate : gathered.kept) analyzed.push_back(&candidate.clip);
+    result.figures = make_clip_figures(project, analyzed);
+    write_file(result.report_file, report_html(project, {result.failed, result.warnings, &result.figures}));
     result.project_file = folder / "project.json";
     save_project(result.project_file, project);
     if (before) remove_stale_clips(folder, *before, project);

@@ -1,6 +1,7 @@
 #pragma once
 // From clips to a blend space: load, measure, cut, place, triangulate, lint, write. No manual step.
 
+#include <surefoot/author/clip_figures.h>
 #include <surefoot/author/project.h>
 #include <surefoot/author/snap_grid.h>
 
@@ -35,6 +36,7 @@ struct AuthorResult {
     Project project;
     std::vector<std::string> warnings;
     std::vector<std::string> failed;  ///< files that could not be read, with the reason
+    ClipFigures figures;              ///< of the project's clips, for the report and whoever writes it again
     std::filesystem::path project_file, report_file;
     GridSnap snap;              ///< what the grid moved
     ProbeResult unsnapped;      ///< the probe without the grid, where there is a grid

@@ -211,6 +211,11 @@ void place_clips(Project& project, std::span<const std::string> axes, const Proj
     }
 }
 
+float liveliness(const ClipFacts& facts) {
+    constexpr float k_metres_per_degree = 0.01f;  // turning 100 deg/s is as lively as walking 1 m/s
+    return std::fabs(facts.forward) + std::fabs(facts.lateral) + k_metres_per_degree * std::fabs(facts.turn);
+}
+
 bool moves_along_facing(std::span<const ProjectSpace> spaces, std::int32_t clip, const ClipFacts& facts) {
     bool along = false;
     for (const ProjectSpace& space : spaces) {

@@ -41,6 +41,9 @@ void set_limits(Axis& axis, std::span<const float> values);
 void place_clips(Project& project, std::span<const std::string> axes, const Project* before,
                  std::vector<std::string>& warnings);
 
+/// How much a clip is up to, in m/s: the one with least of it stands most nearly still, and shows what a body is like.
+float liveliness(const ClipFacts& facts);
+
 /// Whether a clip of these spaces moves straight along its facing when it is packed (PackOptions::along_travel): one of
 /// a space that only knows speed does, unless a space with a sideways axis needs it as it is.
 bool moves_along_facing(std::span<const ProjectSpace> spaces, std::int32_t clip, const ClipFacts& facts);

@@ -1,6 +1,7 @@
 #pragma once
-// The report: one HTML page that opens from disk without a network, for a person to read or print.
+// The report: one HTML page that opens from disk without a network, for a person to read, to play with and to print.
 
+#include <surefoot/author/clip_figures.h>
 #include <surefoot/author/project.h>
 
 #include <span>
@@ -9,12 +10,15 @@
 namespace surefoot {
 
 struct ReportExtras {
-    std::vector<std::string> failed;    ///< files that could not be read, with the reason
-    std::vector<std::string> warnings;  ///< of this run
+    std::vector<std::string> failed;       ///< files that could not be read, with the reason
+    std::vector<std::string> warnings;     ///< of this run
+    const ClipFigures* figures = nullptr;  ///< for plots and preview; without them the page has neither
 };
 
-/// The page as text: each space drawn with its triangles, findings and placeholders; the clips; what was left out. All
-/// names and texts are escaped; the page contains no script and refers to no other file.
+/// The page as text: each space drawn with its triangles, findings and placeholders, a figure that plays any blend of
+/// it, what the probe found; the findings; the clips with plots; what was left out. Names and texts are escaped. The
+/// page refers to no other file, and its content security policy lets nothing run but its own script and style sheet;
+/// without scripts it still shows all but the preview. The same input gives the same bytes.
 std::string report_html(const Project& project, const ReportExtras& extras = {});
 
 /// One space as a stand-alone SVG drawing, `width` by `height` pixels.

@@ -1,5 +1,5 @@
 #pragma once
-// Colours and marks that the report's drawing, legend and lists share. Private to the room.
+// Marks that the report's drawing, legend and lists share, and the texts that its page carries. Private to the room.
 
 #include <surefoot/author/finding.h>
 
@@ -9,8 +9,14 @@ namespace surefoot {
 
 std::string diamond(const char* style, double x, double y, double radius);
 std::string placeholder_mark(PlaceholderKind kind, double x, double y);
+/// A pin whose tip is at (x, y).
+std::string place_mark(double x, double y);
 
-/// The style sheet of page and drawing: light and dark, and plain light for print.
+/// report.css, and the report_*.js one after the other: embedded by cmake/SurefootEmbed.cmake.
 const char* report_style();
+const char* report_script();
+/// Their hashes in hexadecimal, for the page's content security policy.
+const char* report_style_sha256();
+const char* report_script_sha256();
 
 }  // namespace surefoot

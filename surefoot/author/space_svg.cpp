@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace surefoot {
@@ -34,16 +35,18 @@ class Chart {
     std::string draw() {
         out_ = fmt::format(
             "<svg class=\"space\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" "
-            "aria-label=\"Blend space {}\">\n",
-            width_, height_, escape_html(space_.name));
+            "aria-label=\"Blend space {}: {} and what lies between them\" data-map=\"{}\">\n",
+            width_, height_, escape_html(space_.name), space_.clips.size() == 1 ? "one clip" : "its clips", map());
         defs();
         grid();
         triangles();
         axes();
         edges_of_findings();
         close_pairs();
+        add("<g class=\"below-samples\"></g>\n");
         placeholders();
         samples();
+        other_places();
         labels();
         frame_and_titles();
         out_ += "</svg>\n";
@@ -101,6 +104,12 @@ class Chart {
     double py(double y) const {
         return height_ - k_bottom - (y - low_y_) / (high_y_ - low_y_) * (height_ - k_top - k_bottom);
     }
+    /// How values become pixels, for whoever puts something into the drawing: slot of the axis across (-1: none), pixel
+    /// of its 0, pixels a unit; then the same of the axis that runs up.
+    std::string map() const {
+        return fmt::format("{} {:.3f} {:.6f} {} {:.3f} {:.6f}", across_slot_, px(0), px(1) - px(0), up_slot_, py(0),
+                           py(1) - py(0));
+    }
     double sample_x(int i) const { return px(value_x(space_.space.samples[i])); }
     double sample_y(int i) const { return py(value_y(space_.space.samples[i])); }
     int sample_named(const std::string& name) const {
@@ -121,9 +130,20 @@ class Chart {
     // --- parts
 
     void add(const std::string& text) { out_ += text; }
+    /// The mark of a finding: it leads to the finding's text, and lights up with it. Only the first bears its name.
+    void spot(const Finding& finding, const std::string& mark) {
+        const auto index = static_cast<std::size_t>(&finding - project_.findings.data());
+        const bool named = marked_.insert(index).second;
+        add(fmt::format("<a class=\"spot\" {}href=\"#finding-{}\" data-finding=\"{}\"><title>{}: {}</title>{}</a>\n",
+                        named ? fmt::format("id=\"spot-{}\" ", index) : std::string("tabindex=\"-1\" "), index, index,
+                        escape_html(finding.rule), escape_html(finding.message), mark));
+    }
+    static std::string line_of(const char* style, double x0, double y0, double x1, double y1) {
+        return fmt::format("<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>", style, x0,
+                           y0, x1, y1);
+    }
     void line(const char* style, double x0, double y0, double x1, double y1) {
-        add(fmt::format("<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n", style, x0, y0,
-                        x1, y1));
+        add(line_of(style, x0, y0, x1, y1) + "\n");
     }
     void text(const char* style, double x, double y, const std::string& what, const char* anchor = "start") {
         add(fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", style, x, y,
@@ -178,28 +198,28 @@ class Chart {
     }
 
     void triangles() {
-        std::set<std::set<std::string>> acute;
+        std::map<std::set<std::string>, const Finding*> acute;
         for (const Finding& finding : project_.findings)
             if (finding.rule == "acute-triangle" && finding.space == space_.name)
-                acute.insert({finding.clips.begin(), finding.clips.end()});
-        std::string slivers;
+                acute[{finding.clips.begin(), finding.clips.end()}] = &finding;
+        std::vector<std::pair<const Finding*, std::string>> slivers;
         for (const Simplex& simplex : space_.space.simplices) {
             std::string points;
             std::set<std::string> names;
             for (int k = 0; k <= k_max_dimensions && simplex[k] >= 0; ++k) {
                 points += fmt::format("{:.1f},{:.1f} ", sample_x(simplex[k]), sample_y(simplex[k]));
-                names.insert(project_.clips[space_.clips[simplex[k]]].name);
+                names.insert(project_.clips[space_.clips[space_.space.original(simplex[k])]].name);
                 for (int j = 0; j < k; ++j)
                     segments_.push_back(
                         {sample_x(simplex[j]), sample_y(simplex[j]), sample_x(simplex[k]), sample_y(simplex[k])});
             }
             add(fmt::format("<polygon class=\"triangle\" points=\"{}\"/>\n", points));
-            if (acute.count(names))
-                slivers += fmt::format(
-                    "<polygon class=\"acute\" points=\"{0}\"/><polygon fill=\"url(#dots-{1})\" points=\"{0}\"/>\n",
-                    points, escape_html(space_.name));
+            if (const auto found = acute.find(names); found != acute.end())
+                slivers.emplace_back(found->second, fmt::format("<polygon class=\"acute\" points=\"{0}\"/><polygon "
+                                                                "fill=\"url(#dots-{1})\" points=\"{0}\"/>",
+                                                                points, escape_html(space_.name)));
         }
-        add(slivers);
+        for (const auto& [finding, mark] : slivers) spot(*finding, mark);
     }
 
     void axes() {
@@ -212,47 +232,41 @@ class Chart {
         segments_.push_back({px(low_x_), py(0), px(high_x_), py(0)});
         // Broad bands first, so that an edge which also crosses an axis shows both.
         for (const Finding& finding : project_.findings)
-            if (finding.rule == "opposite-directions") edge_of(finding, "opposite");
+            if (int a, b; finding.rule == "opposite-directions" && edge_of(finding, a, b))
+                spot(finding, edge("opposite", a, b));
         for (const Finding& finding : project_.findings) {
-            const bool crossing = finding.rule == "crossing-axis", opposite = finding.rule == "opposite-directions",
-                       dissimilar = finding.rule == "dissimilar-neighbours";
-            if (finding.space != space_.name || finding.clips.size() != 2 || !(crossing || opposite || dissimilar))
-                continue;
-            const int a = sample_named(finding.clips[0]), b = sample_named(finding.clips[1]);
-            if (a < 0 || b < 0) continue;
-            line(crossing   ? "crossing"
-                 : opposite ? "opposite"
-                            : "dissimilar",
-                 sample_x(a), sample_y(a), sample_x(b), sample_y(b));
-            if (!crossing) continue;
+            int a, b;
+            if (!edge_of(finding, a, b)) continue;
+            if (finding.rule == "dissimilar-neighbours") spot(finding, edge("dissimilar", a, b));
+            if (finding.rule != "crossing-axis") continue;
             SpacePoint at{};
-            std::copy(finding.at.begin(), finding.at.end(), at.begin());
+            std::copy_n(finding.at.begin(), std::min(finding.at.size(), at.size()), at.begin());
             const double x = px(value_x(at)), y = py(value_y(at));
-            line("cross", x - 6, y - 6, x + 6, y + 6);
-            line("cross", x - 6, y + 6, x + 6, y - 6);
+            spot(finding, edge("crossing", a, b) + line_of("cross", x - 6, y - 6, x + 6, y + 6) +
+                              line_of("cross", x - 6, y + 6, x + 6, y - 6));
         }
     }
 
-    bool edge_of(const Finding& finding, const char* style) {
+    /// The two samples that a finding is about, if it is about two of this space.
+    bool edge_of(const Finding& finding, int& a, int& b) const {
         if (finding.space != space_.name || finding.clips.size() != 2) return false;
-        const int a = sample_named(finding.clips[0]), b = sample_named(finding.clips[1]);
-        if (a < 0 || b < 0) return false;
-        line(style, sample_x(a), sample_y(a), sample_x(b), sample_y(b));
-        return true;
+        a = sample_named(finding.clips[0]), b = sample_named(finding.clips[1]);
+        return a >= 0 && b >= 0;
+    }
+    std::string edge(const char* style, int a, int b) const {
+        return line_of(style, sample_x(a), sample_y(a), sample_x(b), sample_y(b));
     }
 
     void close_pairs() {
         for (const Finding& finding : project_.findings) {
-            if (finding.space != space_.name || finding.clips.size() != 2) continue;
-            if (finding.rule != "too-close" && finding.rule != "duplicate") continue;
-            const int a = sample_named(finding.clips[0]), b = sample_named(finding.clips[1]);
-            if (a < 0 || b < 0) continue;
+            int a, b;
+            if ((finding.rule != "too-close" && finding.rule != "duplicate") || !edge_of(finding, a, b)) continue;
             const double x0 = sample_x(a), y0 = sample_y(a), x1 = sample_x(b), y1 = sample_y(b);
             const double dx = x1 - x0, dy = y1 - y0, length = std::sqrt(dx * dx + dy * dy), pad = k_mark + 4;
-            add(
-                fmt::format("<rect class=\"close\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
-                            "rx=\"{:.1f}\" transform=\"translate({:.1f} {:.1f}) rotate({:.1f})\"/>\n",
-                            -pad, -pad, length + 2 * pad, 2 * pad, pad, x0, y0, atan2(dy, dx) * 180 / k_pi));
+            spot(finding,
+                 fmt::format("<rect class=\"close\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
+                             "rx=\"{:.1f}\" transform=\"translate({:.1f} {:.1f}) rotate({:.1f})\"/>",
+                             -pad, -pad, length + 2 * pad, 2 * pad, pad, x0, y0, atan2(dy, dx) * 180 / k_pi));
         }
     }
 
@@ -260,22 +274,50 @@ class Chart {
         for (const Placeholder& placeholder : project_.placeholders) {
             double x, y;
             if (placeholder.rule == "too-close" || !placeholder_at(placeholder, x, y)) continue;
-            add(placeholder_mark(placeholder.kind, px(x), py(y)));
+            const std::string mark = placeholder_mark(placeholder.kind, px(x), py(y));
+            if (const Finding* finding = asked_by(placeholder))
+                spot(*finding, mark);
+            else
+                add(mark);
             marks_.push_back({px(x) - 8, py(y) - 8, px(x) + 8, py(y) + 8});
         }
     }
 
+    /// The finding that a placeholder would mend; one that no mark stands for yet.
+    const Finding* asked_by(const Placeholder& placeholder) const {
+        for (std::size_t i = 0; i < project_.findings.size(); ++i) {
+            const Finding& finding = project_.findings[i];
+            if (finding.rule == placeholder.rule && finding.space == placeholder.space && !marked_.count(i) &&
+                finding.fix && finding.fix->target == placeholder.target)
+                return &finding;
+        }
+        return nullptr;
+    }
+
+    /// Findings that name a place and have no mark of their own kind.
+    void other_places() {
+        for (std::size_t i = 0; i < project_.findings.size(); ++i) {
+            const Finding& finding = project_.findings[i];
+            if (finding.space != space_.name || finding.at.size() < space_.space.axes.size() || marked_.count(i))
+                continue;
+            SpacePoint at{};
+            std::copy_n(finding.at.begin(), space_.space.axes.size(), at.begin());
+            spot(finding, place_mark(px(value_x(at)), py(value_y(at))));
+        }
+    }
+
     void samples() {
-        std::set<std::string> misaligned;
+        std::map<std::string, const Finding*> misaligned;
         for (const Finding& finding : project_.findings)
             if (finding.rule == "misaligned" && finding.space == space_.name)
-                misaligned.insert(finding.clips.begin(), finding.clips.end());
+                for (const std::string& clip : finding.clips) misaligned[clip] = &finding;
         const bool numbered = space_.clips.size() > k_most_names;
         const double radius = numbered ? 9 : k_mark;
         for (int i = 0; i < static_cast<int>(space_.clips.size()); ++i) {
             const double x = sample_x(i), y = sample_y(i);
             const ProjectClip& clip = project_.clips[space_.clips[i]];
-            if (misaligned.count(clip.name)) add(diamond("misaligned", x, y, radius + 6));
+            if (const auto found = misaligned.find(clip.name); found != misaligned.end())
+                spot(*found->second, diamond("misaligned", x, y, radius + 6));
             add(fmt::format(
                 "<circle class=\"sample\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"><title>{}: {}</title>"
                 "</circle>\n",
@@ -341,6 +383,7 @@ class Chart {
     bool flat_ = false;
     double low_x_ = 0, high_x_ = 1, low_y_ = 0, high_y_ = 1;
     std::vector<Box> marks_;
+    std::set<std::size_t> marked_;  // findings that have a mark
     std::vector<Segment> segments_;
     std::string out_;
 };
@@ -361,6 +404,10 @@ std::string placeholder_mark(PlaceholderKind kind, double x, double y) {
             x - 7.5, y - 7.5, x - 4, y);
     return fmt::format("<polygon class=\"suggested\" points=\"{:.1f},{:.1f} {:.1f},{:.1f} {:.1f},{:.1f}\"/>\n", x,
                        y - 9, x + 8.5, y + 6.5, x - 8.5, y + 6.5);
+}
+
+std::string place_mark(double x, double y) {
+    return fmt::format("<path class=\"place\" d=\"M{:.1f} {:.1f}l-7 -12a8 8 0 1 1 14 0z\"/>\n", x, y);
 }
 
 std::string space_svg(const Project& project, const ProjectSpace& space, double width, double height) {

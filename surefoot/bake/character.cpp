@@ -94,13 +94,8 @@ Character bake(const std::string& name, std::span<const Source> sources, std::sp
 
 std::size_t calmest(std::span<const Source> sources) {
     std::size_t best = 0;
-    const auto hurry = [&](std::size_t i) {
-        const ClipFacts& f = *sources[i].facts;
-        constexpr float k_metres_per_degree = 0.01f;  // turning 100 deg/s is as lively as walking 1 m/s
-        return std::fabs(f.forward) + std::fabs(f.lateral) + k_metres_per_degree * std::fabs(f.turn);
-    };
     for (std::size_t i = 1; i < sources.size(); ++i)
-        if (hurry(i) < hurry(best)) best = i;
+        if (liveliness(*sources[i].facts) < liveliness(*sources[best].facts)) best = i;
     return best;
 }
 

@@ -2,6 +2,8 @@
 
 #include <surefoot/author/labels.h>
 #include <surefoot/author/report.h>
+#include <surefoot/author/report_parts.h>
+#include <surefoot/preset/default_set.h>
 
 #include <gtest/gtest.h>
 
@@ -42,6 +44,18 @@ bool is_balanced(const std::string& html) {
     return open.empty();
 }
 
+std::size_t count_of(const std::string& text, const std::string& what) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
+    return count;
+}
+
+/// The page without its script, which is not HTML.
+std::string without_script(std::string html) {
+    const std::size_t from = html.find("<script>"), to = html.find("</script>", from);
+    return html.erase(from + 8, to - from - 8);
+}
+
 TEST(report, names_cannot_break_out_of_the_page) {
     const std::string evil = "</svg><script>alert('x')</script>\"&<b onload=\"y\">";
     Project project = make_project({make_clip(evil, 0, 0), make_clip("walk", 1.4f, 0), make_clip("left", 1.4f, 60)});
@@ -52,21 +66,24 @@ TEST(report, names_cannot_break_out_of_the_page) {
     out.excluded = true;
     out.reason = evil;
     project.clips.push_back(out);
-    const std::string html = report_html(linted(project), {{evil}, {evil}});
-    EXPECT_EQ(html.find("<script"), std::string::npos);
+    const std::string html = without_script(report_html(linted(project), {{evil}, {evil}}));
+    EXPECT_EQ(count_of(html, "<script"), 1u) << "the page's own";
     EXPECT_EQ(html.find("<b onload"), std::string::npos);
     EXPECT_TRUE(is_balanced(html));
 }
 
 TEST(report, the_page_refers_to_nothing_outside_itself) {
-    const std::string html =
+    const std::string page =
         report_html(linted(make_project({make_clip("idle", 0, 0), make_clip("walk", 1.4f, 0), make_clip("l", 1, 60)})));
-    std::string rest = html;
+    std::string rest = page;
     for (std::size_t at; (at = rest.find("http://www.w3.org/2000/svg")) != std::string::npos;) rest.erase(at, 26);
-    for (const char* forbidden : {"http:", "https:", "src=", "@import", "<link", "<script"})
+    for (const char* forbidden :
+         {"http:", "https:", "src=", "@import", "<link", "url(http", " style=\"", "fetch(", "import("})
         EXPECT_EQ(rest.find(forbidden), std::string::npos) << forbidden;
+    const std::string html = without_script(page);
     EXPECT_TRUE(is_balanced(html));
     EXPECT_EQ(html.find("nan"), std::string::npos);
+    EXPECT_NE(html.find("default-src 'none'; style-src 'sha256-"), std::string::npos);
 }
 
 TEST(report, every_finding_placeholder_and_clip_is_in_it) {
@@ -79,6 +96,110 @@ TEST(report, every_finding_placeholder_and_clip_is_in_it) {
     for (const Placeholder& placeholder : project.placeholders)
         EXPECT_NE(html.find(escape_html(placeholder.text)), std::string::npos) << placeholder.text;
     for (const ProjectClip& clip : project.clips) EXPECT_NE(html.find(">" + clip.name + "<"), std::string::npos);
+}
+
+TEST(report, every_mark_leads_to_its_finding_and_back) {
+    const Project project =
+        linted(make_project({make_clip("walk", 1.4f, 0), make_clip("left", 1.4f, 60), make_clip("back", -1, 30)}));
+    const std::string html = report_html(project);
+    std::size_t ways = 0;
+    for (const char* kind : {"spot-", "finding-", "clip-"})
+        for (std::size_t at = 0; (at = html.find(std::string("href=\"#") + kind, at)) != std::string::npos;
+             ++at, ++ways) {
+            const std::string id = html.substr(at + 7, html.find('"', at + 7) - at - 7);
+            EXPECT_EQ(count_of(html, "id=\"" + id + "\""), 1u) << id;
+        }
+    EXPECT_GT(ways, 4u);
+}
+
+/// Clips of a biped that walks, and what the report plays of them.
+struct Played {
+    std::vector<AnalyzedClip> clips;
+    Project project;
+    ClipFigures figures;
+};
+Played played() {
+    Played result;
+    DefaultSet set = make_default_set();
+    for (Motion& motion : set.clips)
+        if (motion.name == "idle" || motion.name == "walk" || motion.name == "walk_left" || motion.name == "run")
+            result.clips.push_back(analyze_clip(std::move(motion), "generated"));
+    std::vector<ProjectClip> clips;
+    std::vector<const AnalyzedClip*> pointers;
+    for (const AnalyzedClip& clip : result.clips) {
+        clips.emplace_back();
+        clips.back().name = clip.facts.name;
+        clips.back().facts = clip.facts;
+        pointers.push_back(&clip);
+    }
+    result.project = make_project(std::move(clips));
+    result.figures = make_clip_figures(result.project, pointers);
+    return result;
+}
+
+TEST(report, plots_and_preview_stand_for_every_clip_and_a_script_in_a_name_stays_text) {
+    Played p = played();
+    ASSERT_GE(p.clips.size(), 3u);
+    const std::string html = report_html(p.project, {{}, {}, &p.figures});
+    EXPECT_EQ(count_of(html, "<svg class=\"foot-plot\""), p.clips.size());
+    EXPECT_EQ(count_of(html, "<svg class=\"phase-plot\""), p.clips.size() - 1) << "all but the idle step";
+    EXPECT_EQ(count_of(html, "\"rotations\":"), p.clips.size());
+    EXPECT_EQ(html, report_html(p.project, {{}, {}, &p.figures})) << "the same bytes";
+    EXPECT_LT(html.size(), 60000 * p.clips.size()) << "1.5 MB for 25 clips";
+
+    p.figures.clips[0].packed.name = "</script><script>alert(1)</script>";
+    const std::string evil = report_html(p.project, {{}, {}, &p.figures});
+    EXPECT_EQ(count_of(evil, "</script>"), 2u);
+}
+
+TEST(report, soles_are_on_the_ground_where_a_foot_stands_and_above_it_where_it_swings) {
+    const Played p = played();
+    for (std::size_t i = 0; i < p.clips.size(); ++i)
+        for (std::size_t side = 0; side < 2; ++side) {
+            const std::vector<float>& heights = p.figures.clips[i].sole[side];
+            ASSERT_GE(heights.size(), 2u);
+            EXPECT_NEAR(*std::min_element(heights.begin(), heights.end()), 0, 0.02) << p.clips[i].facts.name;
+            if (p.clips[i].facts.cadence > 0) {
+                EXPECT_GT(*std::max_element(heights.begin(), heights.end()), 0.02) << p.clips[i].facts.name;
+            }
+        }
+}
+
+Project probed(bool with_before) {
+    Project project = make_project({make_clip("idle", 0, 0), make_clip("walk", 1.4f, 0), make_clip("l", 1, 60)});
+    ProbeSpace space;
+    space.name = project.spaces[0].name;
+    space.axes = {{"speed", "m/s", 0, 2, 3}, {"turn", "deg/s", -90, 90, 3}};
+    space.clips = {"idle", "l", "walk"};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 2; ++j) {
+            ProbeCell cell;
+            cell.grid = {i, j + 1}, cell.at = {static_cast<float>(i), 90.0f * static_cast<float>(j)};
+            cell.shares = {{0, 1}};
+            cell.standing = i == 0 && j == 1 ? 0.0f : 0.6f;
+            cell.blend[ProbeFigure::speed] = static_cast<float>(i - 1);
+            cell.blend[ProbeFigure::turn] = i == 2 && j == 0 ? -7.25f : 0.5f;
+            cell.blend[ProbeFigure::knee_peak] = 1500, cell.sources[ProbeFigure::knee_peak] = 1000;
+            space.cells.push_back(cell);
+        }
+    project.probe.spaces = {space};
+    if (with_before) project.probe_before = project.probe;
+    return project;
+}
+
+TEST(report, heat_maps_show_every_cell_mark_the_worst_and_are_absent_without_a_probe) {
+    const Project none = make_project({make_clip("idle", 0, 0), make_clip("walk", 1.4f, 0), make_clip("l", 1, 60)});
+    EXPECT_EQ(report_html(none).find("<figure class=\"heat\""), std::string::npos);
+    const std::string now = probe_section(probed(false), none.spaces[0]);
+    EXPECT_TRUE(is_balanced(now));
+    const std::size_t maps = count_of(now, "<figure class=\"heat\"");
+    EXPECT_EQ(maps, 5u);
+    EXPECT_EQ(count_of(now, "class=\"heat-cell\""), 5 * maps);
+    EXPECT_EQ(count_of(now, "class=\"heat-none\""), maps) << "where no foot stands, no colour pretends";
+    EXPECT_EQ(count_of(now, "class=\"heat-worst\""), maps);
+    EXPECT_NE(now.find("mean 1.9, worst 7.2 deg/s at"), std::string::npos) << now.substr(0, 3000);
+    EXPECT_NE(now.find("1500 deg/s\xc2\xb2, the clips alone 1000"), std::string::npos);
+    EXPECT_EQ(count_of(probe_section(probed(true), none.spaces[0]), "<figure class=\"heat\""), 2 * maps);
 }
 
 TEST(report, spaces_of_every_dimension_are_drawn) {
