@@ -22,7 +22,7 @@ namespace {
 struct Options {
     std::vector<std::string> clips;
     std::string folder, name;
-    std::vector<std::string> axes;
+    std::vector<std::string> axes, styles, upper_styles;
     double unit_scale = 0;
     bool strict = false, use_default = false, no_mannequin = false, json = false, probe = false;
     int grid = 0, probe_grid = 0;
@@ -97,6 +97,8 @@ int run(const Options& options) {
     AuthorOptions author;
     author.name = options.name;
     author.axes = options.axes;
+    for (const std::string& style : options.styles) author.styles.push_back(StyleOption::parse(style, false));
+    for (const std::string& style : options.upper_styles) author.styles.push_back(StyleOption::parse(style, true));
     author.unit_scale = options.unit_scale;
     author.mannequin = !options.no_mannequin;
     author.grid = options.grid;
@@ -130,6 +132,12 @@ const Command k_author{
         app.add_option("-o,--output", options->folder, "folder for project.json, report.html and clips")->required();
         app.add_flag("--default", options->use_default, "use the generated set of clips where none is given");
         app.add_option("--axes", options->axes, "axes of a space, as speed,turn or forward,lateral (repeatable)")
+            ->allow_extra_args(false);
+        app.add_option(
+               "--style", options->styles,
+               "NAME=PATTERN: clips so called show a style, laid over the locomotion of the others (repeatable)")
+            ->allow_extra_args(false);
+        app.add_option("--upper-style", options->upper_styles, "the same, for the upper body alone")
             ->allow_extra_args(false);
         app.add_option("--name", options->name, "title of the project");
         app.add_option("--unit-scale", options->unit_scale, "metres per unit of the files (default: guessed)")

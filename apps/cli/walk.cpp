@@ -24,7 +24,7 @@ namespace {
 
 struct Options {
     std::string project, course = "hills", path = "straight", ik = "surefoot";
-    std::string out, metrics, filmstrip;
+    std::string out, metrics, filmstrip, style;
     float grade = 15, speed = 1.4f, seconds = 10;
     bool json = false, all = false;
 };
@@ -61,6 +61,29 @@ void load_clip(const Options& options, Walking& walking) {
     walking.walker = make_clip_walker(best->motion, best->legs);
 }
 
+/// "drunk=0.5", or "drunk" for all of it.
+LocomotionRequest manner_from(const std::string& text, const LocomotionGraph& graph) {
+    LocomotionRequest manner;
+    if (text.empty()) return manner;
+    const std::size_t at = text.find('=');
+    const std::string name = text.substr(0, at);
+    std::string known;
+    for (std::size_t i = 0; i < graph.styles.size(); ++i) {
+        if (graph.styles[i].name == name) manner.style = static_cast<std::int32_t>(i);
+        known += (i > 0 ? ", " : "") + graph.styles[i].name;
+    }
+    if (manner.style < 0)
+        throw Error("the project has no style \"" + name + "\"", "--style",
+                    known.empty() ? "make one with `surefoot author --style NAME=PATTERN`" : "it has " + known);
+    manner.style_weight = 1;
+    if (at == std::string::npos) return manner;
+    const std::string number = text.substr(at + 1);
+    if (!CLI::detail::lexical_cast(number, manner.style_weight) ||
+        !(manner.style_weight >= 0 && manner.style_weight <= 1))
+        throw Error("\"" + number + "\" is no weight", "--style", "give a number from 0 to 1");
+    return manner;
+}
+
 void load_project_character(const Options& options, Walking& walking) {
     std::filesystem::path file = options.project;
     if (std::filesystem::is_directory(file)) file /= "project.json";
@@ -71,7 +94,7 @@ void load_project_character(const Options& options, Walking& walking) {
     for (const std::string& warning : walking.character.warnings) fmt::print(stderr, "{}\n", warning);
     walking.name = walking.character.name.empty() ? options.project : walking.character.name;
     walking.roles = walking.character.roles;
-    walking.walker = make_character_walker(walking.character);
+    walking.walker = make_character_walker(walking.character, manner_from(options.style, walking.character.graph));
     LocomotionState state;
     if (update(walking.character.graph, state, {options.speed, 0, 0}, 0).clamped)
         fmt::print(stderr,
@@ -170,6 +193,7 @@ const Command k_walk{
             ->check(CLI::Range(0.5, 3600.0))
             ->check(is_number)
             ->capture_default_str();
+        app.add_option("--style", options->style, "NAME or NAME=WEIGHT (0 to 1): a style of the project");
         app.add_option("--ik", options->ik, "Foot placement of the written scene and filmstrip")
             ->check(CLI::IsMember({"none", "colvin2013", "surefoot"}))
             ->capture_default_str();

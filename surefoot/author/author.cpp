@@ -10,6 +10,7 @@
 #include <surefoot/io/mannequin.h>
 
 #include <fmt/format.h>
+#include <fnmatch.h>
 
 #include <algorithm>
 #include <optional>
@@ -34,6 +35,15 @@ const ProjectClip* find_again(const Project& before, const ProjectClip& clip) {
             return &old;
     const int same_name = before.find_clip(clip.name);
     return same_name >= 0 && before.clips[same_name].source == clip.source ? &before.clips[same_name] : nullptr;
+}
+
+void set_style(ProjectClip& clip, const std::vector<StyleOption>& styles) {
+    for (const StyleOption& style : styles) {
+        if (fnmatch(style.pattern.c_str(), clip.name.c_str(), 0) != 0) continue;
+        clip.style = style.name;
+        clip.upper_body = style.upper_body;
+        return;
+    }
 }
 
 ProjectClip describe(const Candidate& candidate) {
@@ -67,6 +77,10 @@ void apply_user_choices(Project& project, std::vector<Candidate>& kept, const Pr
         ProjectClip& clip = project.clips[i];
         const ProjectClip* old = find_again(before, clip);
         if (old) clip.pins = old->pins;
+        if (old && clip.style.empty()) {
+            clip.style = old->style;
+            clip.upper_body = old->upper_body;
+        }
         if (old && old->excluded_by_user) {
             clip.excluded = clip.excluded_by_user = true;
             clip.reason = old->reason;
@@ -135,7 +149,10 @@ AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const 
 
     Project& project = result.project;
     project.name = !options.name.empty() ? options.name : before ? before->name : title_of(folder);
-    for (const Candidate& candidate : gathered.kept) project.clips.push_back(describe(candidate));
+    for (const Candidate& candidate : gathered.kept) {
+        project.clips.push_back(describe(candidate));
+        set_style(project.clips.back(), options.styles);
+    }
     if (before) apply_user_choices(project, gathered.kept, *before);
     if (!options.role_overrides.empty()) project.role_overrides = overrides;
     for (ProjectClip& clip : gathered.left_out) project.clips.push_back(std::move(clip));
@@ -154,6 +171,11 @@ AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const 
     result.cycles_found = gathered.cycles;
     for (const Candidate& candidate : gathered.kept) result.cycles_placed += candidate.cut_from_take;
 
+    for (const StyleOption& style : options.styles)
+        if (std::none_of(project.clips.begin(), project.clips.end(),
+                         [&](const ProjectClip& clip) { return !clip.excluded && clip.style == style.name; }))
+            result.warnings.push_back("no clip in use is called \"" + style.pattern + "\": there is no style \"" +
+                                      style.name + "\"");
     place_clips(project, options.axes, before ? &*before : nullptr, result.warnings);
     if (options.probe && options.grid > 0) result.unsnapped = options.probe(clips_of(gathered.kept), project.spaces);
     if (options.grid > 0) result.snap = snap_to_grid(project, options.grid, result.warnings);
@@ -181,6 +203,14 @@ AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const 
 }
 
 }  // namespace
+
+StyleOption StyleOption::parse(const std::string& text, bool upper_body) {
+    const std::size_t at = text.find('=');
+    if (at == 0 || at == std::string::npos || at + 1 == text.size())
+        throw Error("\"" + text + "\" names no style and clips", upper_body ? "--upper-style" : "--style",
+                    "write NAME=PATTERN, as drunk='drunk_*'");
+    return {text.substr(0, at), text.substr(at + 1), upper_body};
+}
 
 AuthorResult author_clips(std::span<const std::string> paths, const fs::path& folder, const AuthorOptions& options) {
     LoadOptions load;

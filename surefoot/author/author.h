@@ -21,15 +21,26 @@ struct Motion;
 using SpaceProbe =
     std::function<ProbeResult(std::span<const AnalyzedClip> clips, std::span<const ProjectSpace> spaces)>;
 
+/// Clips that show a style: they colour the locomotion of the others (graph/locomotion.h, LocomotionStyle).
+struct StyleOption {
+    std::string name;     ///< "drunk"
+    std::string pattern;  ///< of clips' names, with * and ?
+    bool upper_body = false;
+
+    /// From "NAME=PATTERN". Throws Error for another form.
+    static StyleOption parse(const std::string& text, bool upper_body);
+};
+
 struct AuthorOptions {
     std::string name;              ///< title of the report; default: the output folder's name
     RoleOverrides role_overrides;  ///< joint names by hand
     double unit_scale = 0;         ///< metres a file unit; 0: guess
     /// Axis pairs to build, as "speed,turn" or "forward,lateral"; empty: as many spaces as the clips need.
     std::vector<std::string> axes;
-    bool mannequin = true;  ///< clips are written with a skinned mannequin
-    int grid = 0;           ///< divisions of an engine's grid that samples are moved to (snap_grid.h); 0: none
-    SpaceProbe probe;       ///< measures the placed spaces, for findings and report; none: not probed
+    std::vector<StyleOption> styles;  ///< the first whose pattern fits a clip's name has it
+    bool mannequin = true;            ///< clips are written with a skinned mannequin
+    int grid = 0;      ///< divisions of an engine's grid that samples are moved to (snap_grid.h); 0: none
+    SpaceProbe probe;  ///< measures the placed spaces, for findings and report; none: not probed
 };
 
 struct AuthorResult {

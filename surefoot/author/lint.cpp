@@ -249,7 +249,8 @@ LintResult lint(const Project& project, std::span<const PoseTable> poses) {
     for (const SpaceRule rule :
          {lint_degenerate_space, lint_missing_idle, lint_crossing_axis, lint_opposite_directions, lint_missing_axis_end,
           lint_misaligned, lint_acute_triangle, lint_too_close, lint_uncovered, lint_dissimilar_neighbours})
-        for (const ProjectSpace& space : project.spaces) rule(context, space);
+        for (const ProjectSpace& space : project.spaces)
+            if (!is_style(space)) rule(context, space);  // a style needs no idle, no turns and no way back
     for (const ProjectClip& clip : project.clips)
         if (!clip.excluded) lint_clip(context, clip);
     lint_probe(context);

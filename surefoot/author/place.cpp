@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace surefoot {
 namespace {
@@ -172,12 +173,28 @@ void set_limits(Axis& axis, std::span<const float> values) {
     axis.high = high;
 }
 
-void place_clips(Project& project, std::span<const std::string> axes, const Project* before,
-                 std::vector<std::string>& warnings) {
-    project.spaces.clear();
+namespace {
+
+/// One space over speed for each style that clips show.
+void place_styles(Project& project, const Project* before, std::vector<std::string>& warnings) {
+    std::map<std::string, std::vector<int>> styles;
+    for (std::size_t c = 0; c < project.clips.size(); ++c)
+        if (const ProjectClip& clip = project.clips[c]; !clip.excluded && !clip.style.empty())
+            styles[clip.style].push_back(static_cast<int>(c));
+    for (auto& [name, clips] : styles) {
+        const bool upper_body = project.clips[static_cast<std::size_t>(clips.front())].upper_body;
+        ProjectSpace space = build_space(project, std::string(k_style_prefix) + name, {make_axis("speed")},
+                                         std::move(clips), before, warnings);
+        space.upper_body = upper_body;
+        project.spaces.push_back(std::move(space));
+    }
+}
+
+void place_locomotion(Project& project, std::span<const std::string> axes, const Project* before,
+                      std::vector<std::string>& warnings) {
     std::vector<int> all, facing, sideways, idles;
     for (std::size_t c = 0; c < project.clips.size(); ++c) {
-        if (project.clips[c].excluded) continue;
+        if (project.clips[c].excluded || !project.clips[c].style.empty()) continue;
         const ClipFacts& facts = project.clips[c].facts;
         const auto index = static_cast<int>(c);
         all.push_back(index);
@@ -209,6 +226,15 @@ void place_clips(Project& project, std::span<const std::string> axes, const Proj
         drop_flat_axis(pair, project, members);
         project.spaces.push_back(build_space(project, "lateral", std::move(pair), members, before, warnings));
     }
+}
+
+}  // namespace
+
+void place_clips(Project& project, std::span<const std::string> axes, const Project* before,
+                 std::vector<std::string>& warnings) {
+    project.spaces.clear();
+    place_locomotion(project, axes, before, warnings);
+    if (!project.spaces.empty()) place_styles(project, before, warnings);
 }
 
 float liveliness(const ClipFacts& facts) {

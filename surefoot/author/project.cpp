@@ -48,6 +48,10 @@ Json to_json(const ProjectClip& clip) {
     Json pins = Json::object();
     for (const PinnedPlace& pin : clip.pins) pins[pin.space] = numbers(pin.values);
     result["pins"] = pins;
+    if (!clip.style.empty()) {
+        result["style"] = clip.style;
+        result["upper_body"] = clip.upper_body;
+    }
     result["excluded"] = clip.excluded;
     if (clip.excluded) result["excluded_by"] = clip.excluded_by_user ? "user" : "surefoot";
     if (clip.excluded) result["reason"] = clip.reason;
@@ -64,6 +68,7 @@ Json indices(const Simplex& simplex, int count) {
 Json to_json(const Project& project, const ProjectSpace& space) {
     Json result;
     result["name"] = space.name;
+    if (is_style(space)) result["upper_body"] = space.upper_body;
     result["axes_pinned"] = space.axes_pinned;
     result["axes"] = Json::array();
     for (const Axis& axis : space.space.axes)
@@ -175,6 +180,8 @@ ProjectClip read_clip(JsonNode node) {
         source.finish();
     }
     if (node.has("provenance")) clip.provenance = node.at("provenance").texts();
+    if (node.has("style")) clip.style = node.at("style").text();
+    if (node.has("upper_body")) clip.upper_body = node.at("upper_body").flag();
     if (node.has("pins"))
         for (const auto& [space, at] : node.at("pins").entries()) clip.pins.push_back({space, at.reals()});
     if (node.has("excluded")) clip.excluded = node.at("excluded").flag();
@@ -212,6 +219,7 @@ Simplex read_indices(const JsonNode& node, int low, int high) {
 ProjectSpace read_space(JsonNode node, const Project& project) {
     ProjectSpace space;
     space.name = node.at("name").text();
+    if (node.has("upper_body")) space.upper_body = node.at("upper_body").flag();
     if (node.has("axes_pinned")) space.axes_pinned = node.at("axes_pinned").flag();
     for (const JsonNode& axis : node.at("axes").items()) space.space.axes.push_back(read_axis(axis));
     const std::size_t dimensions = space.space.axes.size();
@@ -347,14 +355,15 @@ std::optional<Severity> severity_from_name(std::string_view name) noexcept {
 
 bool operator==(const ProjectClip& a, const ProjectClip& b) {
     return a.name == b.name && a.file == b.file && a.source == b.source && a.source_first == b.source_first &&
-           a.source_last == b.source_last && a.provenance == b.provenance && a.pins == b.pins &&
-           a.excluded == b.excluded && a.excluded_by_user == b.excluded_by_user && a.reason == b.reason &&
+           a.source_last == b.source_last && a.provenance == b.provenance && a.pins == b.pins && a.style == b.style &&
+           a.upper_body == b.upper_body && a.excluded == b.excluded && a.excluded_by_user == b.excluded_by_user &&
+           a.reason == b.reason &&
            facts_to_json(a.facts, FactsDetail::full) == facts_to_json(b.facts, FactsDetail::full);
 }
 
 bool operator==(const ProjectSpace& a, const ProjectSpace& b) {
     return a.name == b.name && same_axes(a.space, b.space) && a.clips == b.clips && a.axes_pinned == b.axes_pinned &&
-           a.locked_edges == b.locked_edges;
+           a.locked_edges == b.locked_edges && a.upper_body == b.upper_body;
 }
 
 int Project::find_clip(std::string_view clip) const noexcept {

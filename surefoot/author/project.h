@@ -12,6 +12,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct ProjectClip {
     std::vector<std::string> provenance;    ///< what was done to it, in order: "cut from frames 120 to 184", …
 
     std::vector<PinnedPlace> pins;
+    std::string style;              ///< "drunk": it shows that style, in a space of its own; empty: plain locomotion
+    bool upper_body = false;        ///< the style is the upper body's alone
     bool excluded = false;          ///< not part of any space
     bool excluded_by_user = false;  ///< set by hand: it stays out
     std::string reason;             ///< why it is excluded
@@ -44,15 +47,22 @@ struct ProjectClip {
     friend bool operator==(const ProjectClip&, const ProjectClip&);
 };
 
+inline constexpr std::string_view k_style_prefix = "style:";
+
 struct ProjectSpace {
-    std::string name;                              ///< "facing": (speed, turn); "lateral": (forward, lateral)
+    /// "facing": (speed, turn); "lateral": (forward, lateral); "style:NAME": (speed) of the clips that show a style
+    std::string name;
     BlendSpace space;                              ///< in axis units
     std::vector<int> clips;                        ///< of each sample: index into Project::clips, never an excluded one
+    bool upper_body = false;                       ///< of a style: legs and hips are left to the locomotion
     bool axes_pinned = false;                      ///< the user set the limits; they are not recomputed
     std::vector<std::array<int, 2>> locked_edges;  ///< pairs of samples that must stay joined
 
     friend bool operator==(const ProjectSpace&, const ProjectSpace&);
 };
+
+/// A space that colours locomotion rather than being it (graph/locomotion.h, LocomotionStyle).
+inline bool is_style(const ProjectSpace& space) noexcept { return space.name.rfind(k_style_prefix, 0) == 0; }
 
 struct Project {
     int version = k_project_version;

@@ -24,6 +24,15 @@ SpaceDefinition definition_of(std::span<const ProjectSpace> spaces, std::string_
     return definition;
 }
 
+/// The spine's first joint and all it carries; nothing where there is no spine.
+std::vector<float> upper_body_mask(const Skeleton& skeleton, const RoleMap& roles) {
+    std::vector<float> mask(skeleton.parents.size(), 0.0f);
+    if (roles.has(Role::spine))
+        for (int j = 0; j < skeleton.joint_count(); ++j)
+            if (is_within(skeleton, j, roles[Role::spine])) mask[static_cast<std::size_t>(j)] = 1;
+    return mask;
+}
+
 /// The motion on the character's skeleton: joints must be the same, rest poses may differ (translations then move).
 Motion on_skeleton(const Motion& motion, const std::shared_ptr<const Skeleton>& skeleton) {
     if (motion.skeleton->names != skeleton->names || motion.skeleton->parents != skeleton->parents)
@@ -86,6 +95,11 @@ Character bake(const std::string& name, std::span<const Source> sources, std::sp
     character.graph =
         make_locomotion_graph(character.skeleton, std::move(packed), definition_of(spaces, "facing", used),
                               definition_of(spaces, "lateral", used));
+    for (const ProjectSpace& space : spaces)
+        if (is_style(space))
+            add_style(character.graph, space.name.substr(k_style_prefix.size()),
+                      definition_of(spaces, space.name, used),
+                      space.upper_body ? upper_body_mask(*character.skeleton, character.roles) : std::vector<float>{});
     if (character.legs.known()) set_legs(character.graph, character.legs, character.standing);
     if (const std::string text = problem(character.graph); !text.empty())
         throw Error(text, name.empty() ? "the character" : name, "run 'surefoot author' again");

@@ -12,7 +12,7 @@
 
 namespace surefoot {
 
-inline constexpr int k_max_leaves = 18;  ///< of one pose: two blend spaces that both extrapolate in four dimensions
+inline constexpr int k_max_leaves = 27;  ///< of one pose: two blend spaces and a style, each with all it may answer
 
 /// One clip that takes part in a pose.
 struct Leaf {

@@ -6,12 +6,13 @@ namespace {
 
 class CharacterWalker final : public Walker {
   public:
-    explicit CharacterWalker(const Character& character) : character_(character) {}
+    CharacterWalker(const Character& character, const LocomotionRequest& manner)
+        : character_(character), request_(manner) {}
     const std::shared_ptr<const Skeleton>& skeleton() const override { return character_.skeleton; }
     const Legs& legs() const override { return character_.legs; }
     std::span<const Transform> standing() const override { return character_.standing; }
     void start(float speed_mps) override {
-        request_ = {speed_mps, 0, 0};
+        request_.speed = speed_mps;
         state_ = {};
         root_ = {};
     }
@@ -36,8 +37,8 @@ class CharacterWalker final : public Walker {
 
 }  // namespace
 
-std::unique_ptr<Walker> make_character_walker(const Character& character) {
-    return std::make_unique<CharacterWalker>(character);
+std::unique_ptr<Walker> make_character_walker(const Character& character, const LocomotionRequest& manner) {
+    return std::make_unique<CharacterWalker>(character, manner);
 }
 
 }  // namespace surefoot

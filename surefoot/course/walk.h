@@ -3,6 +3,7 @@
 
 #include <surefoot/course/course.h>
 #include <surefoot/course/metrics.h>
+#include <surefoot/graph/locomotion.h>
 #include <surefoot/ik/foot_placement.h>
 #include <surefoot/motion/motion.h>
 
@@ -35,8 +36,9 @@ class Walker {
 /// hardly travels plays as it is).
 std::unique_ptr<Walker> make_clip_walker(const Motion& clip, const Legs& legs);
 
-/// Steers a character through its blend space. `character` must outlive the walker.
-std::unique_ptr<Walker> make_character_walker(const Character& character);
+/// Steers a character through its blend space. `character` must outlive the walker. `manner` is a request whose style,
+/// slope and own axes hold all the way; its speed is that of `start`.
+std::unique_ptr<Walker> make_character_walker(const Character& character, const LocomotionRequest& manner = {});
 
 struct WalkRequest {
     float speed_mps = 1.4f;

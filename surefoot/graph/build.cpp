@@ -114,6 +114,23 @@ std::string problem_of(const LocomotionSpace& space, std::size_t clips, const ch
     return {};
 }
 
+std::string problem_of(const LocomotionStyle& style, const LocomotionGraph& graph) {
+    const std::string where = "style '" + style.name + "' ";
+    if (style.space.empty()) return where + "has no clips";
+    if (std::string text = problem_of(style.space, graph.clips.size(), style.name.c_str()); !text.empty()) return text;
+    if (style.space.space.dimensions() != 1 || style.space.axes[0] != RequestAxis::speed)
+        return where + "is not a space over speed alone";
+    if (style.mask.empty()) return {};
+    if (style.mask.size() != graph.skeleton->rest.size()) return where + "has a mask that does not match the joints";
+    for (const float share : style.mask)
+        if (!(share >= 0 && share <= 1)) return where + "has a mask with values outside 0 to 1";
+    for (std::size_t i = 0; i < static_cast<std::size_t>(graph.legs.count); ++i)
+        if (style.mask[static_cast<std::size_t>(graph.legs.joint[i])] > 0)
+            return where + "masks '" + graph.skeleton->names[static_cast<std::size_t>(graph.legs.joint[i])] +
+                   "': hips and legs are the locomotion's, or the whole body is the style's";
+    return {};
+}
+
 }  // namespace
 
 LocomotionGraph make_locomotion_graph(std::shared_ptr<const Skeleton> skeleton, std::vector<PackedClip> clips,
@@ -125,6 +142,10 @@ LocomotionGraph make_locomotion_graph(std::shared_ptr<const Skeleton> skeleton, 
     graph.lateral = join(std::move(lateral), graph);
     graph.side_travel = measure_side_travel(graph.lateral);
     return graph;
+}
+
+void add_style(LocomotionGraph& graph, std::string name, SpaceDefinition definition, std::vector<float> mask) {
+    graph.styles.push_back({std::move(name), join(std::move(definition), graph), std::move(mask)});
 }
 
 void set_legs(LocomotionGraph& graph, const Legs& legs, std::span<const Transform> standing) {
@@ -145,7 +166,10 @@ std::string problem(const LocomotionGraph& graph) {
                std::to_string(k_max_custom_axes);
     if (graph.facing.empty() && graph.lateral.empty()) return "the graph has no blend space with samples";
     if (std::string text = problem_of(graph.facing, graph.clips.size(), "facing"); !text.empty()) return text;
-    return problem_of(graph.lateral, graph.clips.size(), "lateral");
+    if (std::string text = problem_of(graph.lateral, graph.clips.size(), "lateral"); !text.empty()) return text;
+    for (const LocomotionStyle& style : graph.styles)
+        if (std::string text = problem_of(style, graph); !text.empty()) return text;
+    return {};
 }
 
 }  // namespace surefoot

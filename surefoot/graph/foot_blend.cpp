@@ -225,7 +225,7 @@ LegPaths make_leg_paths(const Skeleton& skeleton, const Legs& legs, std::span<co
 
 void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, const LocomotionFrame& frame,
                 std::span<Transform> locals) noexcept {
-    if (paths.count == 0 || frame.leaf_count < 2) return;
+    if (paths.count == 0 || (frame.leaf_count < 2 && !frame.styled)) return;
     std::array<FootKey, 2> feet;
     for (std::size_t side = 0; side < 2; ++side) {
         const float strike = side == 0 ? 0.0f : 0.5f, after = frame.phase - strike;

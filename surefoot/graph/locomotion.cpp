@@ -73,12 +73,8 @@ SpacePoint point_in(const LocomotionSpace& space, const LocomotionRequest& reque
     return point;
 }
 
-/// Adds a space's samples at a point, all weighed by `share`; what no axis of it says about turning is `turn_deg`.
-void add_space(Mix& mix, const LocomotionSpace& space, std::int32_t& hint, const SpacePoint& point, float turn_deg,
-               float share) noexcept {
-    const BlendWeights found = blend_weights(space.space, point, hint);
-    hint = found.simplex;
-    mix.clamped |= found.clamped;
+/// Adds the samples found in a space, all weighed by `share`.
+void add_samples(Mix& mix, const LocomotionSpace& space, const BlendWeights& found, float share) noexcept {
     float kept = 0;
     for (int i = 0; i < found.count; ++i)
         if (std::fabs(found.weights[static_cast<std::size_t>(i)]) >= k_least_weight)
@@ -89,10 +85,40 @@ void add_space(Mix& mix, const LocomotionSpace& space, std::int32_t& hint, const
         const auto sample = static_cast<std::size_t>(found.samples[static_cast<std::size_t>(i)]);
         const float weight = share * (raw / kept);
         mix.active[mix.count++] = {space.clips[sample], weight, space.velocities[sample], space.turns[sample]};
-        mix.velocity += weight * space.velocities[sample];
-        if (space.has_turn) mix.turn += weight * space.turns[sample];
+    }
+}
+
+/// Adds a space's answer at a point; what no axis of it says about turning is `turn_deg`.
+void add_space(Mix& mix, const LocomotionSpace& space, std::int32_t& hint, const SpacePoint& point, float turn_deg,
+               float share) noexcept {
+    const BlendWeights found = blend_weights(space.space, point, hint);
+    hint = found.simplex;
+    mix.clamped |= found.clamped;
+    const int first = mix.count;
+    add_samples(mix, space, found, share);
+    for (int i = first; i < mix.count; ++i) {
+        mix.velocity += mix.active[i].weight * mix.active[i].velocity;
+        if (space.has_turn) mix.turn += mix.active[i].weight * mix.active[i].turn;
     }
     if (!space.has_turn) mix.turn += share * (turn_deg * k_radians_per_degree);
+}
+
+/// The style that a request asks for, if it asks for one.
+const LocomotionStyle* style_of(const LocomotionGraph& graph, const LocomotionRequest& request) noexcept {
+    const bool one = request.style >= 0 && static_cast<std::size_t>(request.style) < graph.styles.size();
+    return one && request.style_weight > 0 ? &graph.styles[static_cast<std::size_t>(request.style)] : nullptr;
+}
+
+/// A style's samples at the pace of the mix, whatever its direction.
+void add_style(Mix& styled, const LocomotionStyle& style, Vec3 velocity, float turn, float share) noexcept {
+    const float pace = planar_length(velocity);
+    const int first = styled.count;
+    add_samples(styled, style.space, blend_weights(style.space.space, {velocity.z < 0 ? -pace : pace}), share);
+    // Its clips are played as the root moves, not as theirs did.
+    for (int i = first; i < styled.count; ++i) {
+        styled.active[i].velocity = velocity;
+        styled.active[i].turn = turn;
+    }
 }
 
 /// How a velocity is shared between the two spaces: so that both asked at the same speed, one straight along the
@@ -179,22 +205,41 @@ float leaf_time(const PackedClip& clip, const LocomotionState& state) noexcept {
     return time_at(clip, phase_in(clip, state.phase, state.cycle));
 }
 
-/// One leaf a clip, though both spaces may hold it (an idle).
-void make_leaves(const LocomotionGraph& graph, const Mix& mix, const LocomotionState& state,
-                 LocomotionFrame& frame) noexcept {
+/// One leaf a clip, though several spaces may hold it (an idle). Returns how many.
+int make_leaves(const LocomotionGraph& graph, const Mix& mix, const LocomotionState& state,
+                std::span<Leaf> leaves) noexcept {
+    int count = 0;
     for (int i = 0; i < mix.count; ++i) {
         const Active& a = mix.active[i];
         int at = 0;
-        while (at < frame.leaf_count && frame.leaf[static_cast<std::size_t>(at)].clip != a.clip) ++at;
-        Leaf& leaf = frame.leaf[static_cast<std::size_t>(at)];
-        if (at < frame.leaf_count) {
-            leaf.weight += a.weight;
+        while (at < count && leaves[static_cast<std::size_t>(at)].clip != a.clip) ++at;
+        if (at < count) {
+            leaves[static_cast<std::size_t>(at)].weight += a.weight;
             continue;
         }
         const PackedClip& clip = graph.clips[static_cast<std::size_t>(a.clip)];
-        leaf = {a.clip, leaf_time(clip, state), a.weight};
-        frame.stepping |= clip.cycles > 0;
-        ++frame.leaf_count;
+        leaves[static_cast<std::size_t>(count++)] = {a.clip, leaf_time(clip, state), a.weight};
+    }
+    return count;
+}
+
+bool any_steps(const LocomotionGraph& graph, std::span<const Leaf> leaves) noexcept {
+    return std::any_of(leaves.begin(), leaves.end(),
+                       [&](const Leaf& leaf) { return graph.clips[static_cast<std::size_t>(leaf.clip)].cycles > 0; });
+}
+
+/// The masked style's own pose over the finished one.
+void lay_over(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<Transform> locals) noexcept {
+    alignas(Transform) std::byte memory[k_max_joints * sizeof(Transform)];  // not worth constructing
+    const std::size_t joints = graph.skeleton->rest.size();
+    const std::span<Transform> layer{reinterpret_cast<Transform*>(memory), joints};
+    sample_pose(*graph.skeleton, graph.clips, {frame.layer.data(), static_cast<std::size_t>(frame.layer_count)}, layer);
+    const std::vector<float>& mask = graph.styles[static_cast<std::size_t>(frame.layer_style)].mask;
+    for (std::size_t j = 0; j < joints; ++j) {
+        const float share = frame.layer_weight * mask[j];
+        if (!(share > 0)) continue;
+        locals[j].rotation = nlerp(locals[j].rotation, layer[j].rotation, share);
+        locals[j].translation = lerp(locals[j].translation, layer[j].translation, share);
     }
 }
 
@@ -233,6 +278,11 @@ LocomotionRequest approach(const LocomotionRequest& current, const LocomotionReq
     next.slope = limited(current.slope, wanted.slope, rates.slope_rate * dt);
     for (std::size_t i = 0; i < next.custom.size(); ++i)
         next.custom[i] = limited(current.custom[i], wanted.custom[i], rates.custom_rate * dt);
+    // One style fades out before another fades in.
+    const bool leaves = wanted.style != current.style && current.style_weight > 0;
+    const float from = leaves || wanted.style == current.style ? current.style_weight : 0;
+    next.style = leaves ? current.style : wanted.style;
+    next.style_weight = limited(from, leaves ? 0 : wanted.style_weight, rates.custom_rate * dt);
     return next;
 }
 
@@ -289,18 +339,35 @@ LocomotionFrame update(const LocomotionGraph& graph, LocomotionState& state, con
     frame.clamped |= mix.clamped;
     frame.velocity = mix.velocity;
     frame.turn = mix.turn * k_degrees_per_radian;
+    const LocomotionStyle* style = style_of(graph, request);
+    const float style_weight = std::min(request.style_weight, 1.0f);
+    frame.styled = style != nullptr && style->mask.empty();
+    if (frame.styled) {
+        if (style_weight == 1) mix.count = 0;
+        for (int i = 0; i < mix.count; ++i) mix.active[i].weight *= 1 - style_weight;
+        add_style(mix, *style, mix.velocity, mix.turn, style_weight);
+    }
     frame.phase_rate = phase_rate(graph, mix, state.phase, state.cycle);
     frame.root_delta = integrate(mix.velocity, mix.turn, dt);
     advance(state, frame.phase_rate, dt);
     frame.phase = state.phase;
     frame.cycle = state.cycle;
-    make_leaves(graph, mix, state, frame);
+    frame.leaf_count = make_leaves(graph, mix, state, frame.leaf);
+    frame.stepping = any_steps(graph, frame.leaves());
+    if (style != nullptr && !frame.styled) {
+        Mix layer;
+        add_style(layer, *style, mix.velocity, mix.turn, 1);
+        frame.layer_count = make_leaves(graph, layer, state, frame.layer);
+        frame.layer_style = request.style;
+        frame.layer_weight = style_weight;
+    }
     return frame;
 }
 
 void pose(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<Transform> locals) noexcept {
     sample_pose(*graph.skeleton, graph.clips, frame.leaves(), locals);
     blend_feet(graph.legs, graph.clips, frame, locals);
+    if (frame.layer_count > 0) lay_over(graph, frame, locals);
 }
 
 float foot_speed(Vec3 velocity, float turn_rate) noexcept { return stride_of(velocity, turn_rate).length(); }

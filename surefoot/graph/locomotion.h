@@ -35,6 +35,8 @@ struct LocomotionRequest {
     float lateral = 0;  ///< [m/s] sideways, positive to its left
     float slope = 0;    ///< [deg] of the ground under it along its way, positive uphill; read by spaces with that axis
     std::array<float, k_max_custom_axes> custom{};  ///< by LocomotionGraph::custom_slot, in units of the axis
+    std::int32_t style = -1;                        ///< index into LocomotionGraph::styles, -1: none
+    float style_weight = 0;                         ///< [0, 1] how intense
 };
 
 /// Moves `current` towards `wanted` by at most these rates; a host's simplest steering filter.
@@ -42,7 +44,7 @@ struct RequestRates {
     float acceleration = 2.5f;         ///< [m/s^2] for speed and lateral together
     float turn_acceleration = 240.0f;  ///< [deg/s^2]
     float slope_rate = 60.0f;          ///< [deg/s]
-    float custom_rate = 2.0f;          ///< [1/s] of an axis' unit
+    float custom_rate = 2.0f;          ///< [1/s] of an axis' unit, and of a style's weight
 };
 LocomotionRequest approach(const LocomotionRequest& current, const LocomotionRequest& wanted, float dt,
                            const RequestRates& rates = {}) noexcept;
@@ -65,12 +67,24 @@ struct LocomotionSpace {
     bool empty() const noexcept { return space.samples.empty(); }
 };
 
+/// Another manner of moving (tired, proud, sneaking): clips that go straight at one or several speeds, in a space over
+/// speed, laid over all that the locomotion spaces can do (Delicado & Pelechano 2019, §4). Other than there, the root
+/// moves as the locomotion spaces say at any weight, and the feet with it.
+struct LocomotionStyle {
+    std::string name;
+    LocomotionSpace space;
+    /// By joint [0, 1]; empty: the whole body, stride and feet included. A mask leaves hips and legs alone; the style
+    /// is then laid over the finished pose.
+    std::vector<float> mask;
+};
+
 struct LocomotionGraph {
     std::shared_ptr<const Skeleton> skeleton;
     std::vector<PackedClip> clips;
     LocomotionSpace facing;   ///< (speed, turn), or one of them
     LocomotionSpace lateral;  ///< (forward, lateral), or one of them; may be empty
-    LegPaths legs;            ///< set_legs; without them blended legs are as their joints' angles say
+    std::vector<LocomotionStyle> styles;
+    LegPaths legs;  ///< set_legs; without them blended legs are as their joints' angles say
     /// Folded travel angle [rad, 0 ahead, pi/2 sideways] of the lateral space's sample nearest to ahead (or to
     /// behind) in each quadrant: left ahead, right ahead, left behind, right behind.
     std::array<float, 4> side_travel{};
@@ -98,6 +112,8 @@ LocomotionGraph make_locomotion_graph(std::shared_ptr<const Skeleton> skeleton, 
 /// Lets blends put their feet where feet stand (graph/foot_blend.h). `standing` is the pose, in model space, that
 /// `legs` was made from.
 void set_legs(LocomotionGraph& graph, const Legs& legs, std::span<const Transform> standing);
+/// Adds a style; `mask` as in LocomotionStyle.
+void add_style(LocomotionGraph& graph, std::string name, SpaceDefinition definition, std::vector<float> mask = {});
 /// What is wrong with a graph, as a sentence; empty: nothing, and then update and pose cannot fail.
 std::string problem(const LocomotionGraph& graph);
 
@@ -114,8 +130,8 @@ struct LocomotionState {
 static_assert(std::is_trivially_copyable_v<LocomotionState> && sizeof(LocomotionState) <= 512);
 static_assert(sizeof(LocomotionState) == 24, "no padding: states may be compared and hashed as bytes");
 
-/// What each of the two spaces may answer.
-inline constexpr int k_max_locomotion_leaves = 2 * k_max_blend_weights;
+/// What each of the two spaces and a style may answer.
+inline constexpr int k_max_locomotion_leaves = 3 * k_max_blend_weights;
 static_assert(k_max_locomotion_leaves <= k_max_leaves);
 
 struct LocomotionFrame {
@@ -129,6 +145,13 @@ struct LocomotionFrame {
     std::uint32_t cycle = 0;  ///< full cycles so far, as in the state
     bool stepping = false;    ///< some leaf has steps (else phase stands still)
     bool clamped = false;     ///< the request lay outside what the clips cover
+
+    bool styled = false;  ///< among the leaves are a style's, whose root is not the leaves' own
+
+    std::array<Leaf, k_max_blend_weights> layer{};  ///< of a style with a mask: the first `layer_count`
+    int layer_count = 0;
+    std::int32_t layer_style = -1;
+    float layer_weight = 0;
 
     std::span<const Leaf> leaves() const noexcept { return {leaf.data(), static_cast<std::size_t>(leaf_count)}; }
 };

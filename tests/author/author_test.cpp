@@ -187,6 +187,25 @@ TEST(author, identical_clips_are_authored_and_said_to_be_so) {
     EXPECT_TRUE(rules.count("duplicate"));
 }
 
+TEST(author, clips_of_a_style_get_a_space_of_their_own_and_keep_it) {
+    Folder folder;
+    AuthorOptions options = plain();
+    options.styles = {StyleOption::parse("brisk=jog*", false), StyleOption::parse("none=nothing*", true)};
+    AuthorResult result = author_motions(make_default_set().clips, folder.path, options);
+    const ProjectSpace* style = result.project.find_space("style:brisk");
+    ASSERT_NE(style, nullptr);
+    EXPECT_EQ(style->clips.size(), 3u) << "jog, jog_left, jog_right";
+    for (const int clip : result.project.find_space("facing")->clips)
+        EXPECT_NE(result.project.clips[static_cast<std::size_t>(clip)].style, "brisk");
+    for (const Finding& finding : result.project.findings) EXPECT_NE(finding.space, "style:brisk") << finding.message;
+    EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(),
+                            [](const std::string& w) { return w.find("no style \"none\"") != std::string::npos; }));
+    result = author_motions(make_default_set().clips, folder.path, plain());
+    EXPECT_NE(result.project.find_space("style:brisk"), nullptr) << "kept by the project";
+    EXPECT_THROW(StyleOption::parse("=x", false), Error);
+    EXPECT_THROW(StyleOption::parse("brisk", false), Error);
+}
+
 TEST(author, a_damaged_project_is_not_overwritten) {
     Folder folder;
     write_file(folder.path / "project.json", "{\"surefoot_project\": 1, \"clips\": 7}");

@@ -2,6 +2,8 @@
 
 #include <surefoot/base/error.h>
 
+#include <surefoot/space/triangulate.h>
+
 #include <gtest/gtest.h>
 
 namespace surefoot {
@@ -40,6 +42,18 @@ Project full_project() {
     out.name = "mine";
     out.excluded_by_user = true;
     project.clips.push_back(out);
+    ProjectClip drunk = make_clip("drunk", 1.1f, 0);
+    drunk.style = "drunk";
+    drunk.upper_body = true;
+    project.clips.push_back(drunk);
+    ProjectSpace style;
+    style.name = "style:drunk";
+    style.upper_body = true;
+    style.clips = {static_cast<int>(project.clips.size()) - 1};
+    style.space.axes = {{"speed", "m/s", 0, 1.5f, false}};
+    style.space.samples = {{1.1f}};
+    triangulate(style.space);
+    project.spaces.push_back(style);
     LintResult found = lint(project);
     project.findings = found.findings;
     project.placeholders = found.placeholders;
