@@ -1,5 +1,6 @@
 #include <surefoot/analysis/locomotion.h>
 #include <surefoot/analysis/signal.h>
+#include <surefoot/analysis/take.h>
 
 #include <fmt/format.h>
 
@@ -10,7 +11,6 @@ namespace {
 
 constexpr float k_slowest = 0.12f;    // [m/s] slower than any walk in a game; a shuffle in place
 constexpr float k_slowest_turn = 15;  // [deg/s]
-constexpr float k_take = 8;           // [s] longer than any clip of one action: some moment in it may be anything
 
 std::vector<float> relative_speed(const std::vector<Vec3>& points, const std::vector<Transform>& hips, float fps) {
     std::vector<Vec3> offset;
@@ -141,7 +141,7 @@ std::string why_not_locomotion(const BodyFeatures& b, const ClipFacts& facts, fl
     // A sprinter sampled 24 times a second shows one or two standing frames a step.
     const float least = std::fabs(facts.speed) > 3 * tempo ? 0.05f : 0.12f;
     if (b.standing < least) return "the feet hardly touch the ground: it flies, swims or hangs";
-    const bool take = facts.duration > k_take;
+    const bool take = lasts_like_a_take(facts);
     if (!take && b.airborne > 0.45f * tempo)
         return fmt::format("both feet are off the ground for {:.2f} s: it jumps or falls", b.airborne);
     const bool level = std::fabs(facts.slope) < 3 && !b.uneven;

@@ -1,3 +1,4 @@
+#include <surefoot/analysis/take.h>
 #include <surefoot/author/gather.h>
 #include <surefoot/author/place.h>
 #include <surefoot/author/pose_distance.h>
@@ -53,9 +54,6 @@ void close(Candidate& candidate) {
     candidate.provenance.push_back(closing_text(facts));
 }
 
-/// [s] Longer than any single action of a game's clip set: motion capture takes.
-constexpr float k_take_seconds = 8;
-
 Measured measure(LoadedClip loaded, const RoleOverrides& overrides) {
     Measured result;
     try {
@@ -64,7 +62,7 @@ Measured measure(LoadedClip loaded, const RoleOverrides& overrides) {
         std::vector<std::string> provenance;
         if (clip.facts.in_place) provenance.push_back("in place: its root motion was made from the planted feet");
         // A long take may jump or sit somewhere and still hold steady cycles; each of those is judged by itself.
-        const bool is_take = !clip.facts.cyclic && clip.facts.duration >= k_take_seconds;
+        const bool is_take = !clip.facts.cyclic && lasts_like_a_take(clip.facts);
         if (!clip.facts.locomotion && !is_take) {
             result.left_out.push_back(left_out(clip, clip.facts.not_locomotion));
             return result;
