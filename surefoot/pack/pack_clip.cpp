@@ -1,3 +1,4 @@
+#include <surefoot/analysis/strikes.h>
 #include <surefoot/base/error.h>
 #include <surefoot/clip/sample.h>
 #include <surefoot/graph/locomotion.h>
@@ -84,25 +85,9 @@ void pack_translations(PackedClip& clip, const Skeleton& skeleton, const std::ve
 void pack_phase(PackedClip& clip, const ClipFacts& facts) {
     if (!clip.cyclic) return;
     const float duration = clip.duration();
-    std::vector<PhaseEvent> strikes;
-    for (const PhaseEvent& event : facts.events) {
-        if (event.kind != StrideEvent::strike) continue;
-        const float time = std::min(std::max(event.time, 0.0f), duration);
-        // A strike on the seam may be reported at both ends; it is one.
-        const float nearest = 0.25f / clip.fps;
-        if (!strikes.empty() && duration - time <= nearest && strikes.front().time <= nearest &&
-            strikes.front().foot == event.foot)
-            continue;
-        strikes.push_back({event.foot, event.kind, time});
-    }
-    std::stable_sort(strikes.begin(), strikes.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+    const std::vector<PhaseEvent> strikes = alternating_strikes(facts.events, duration, clip.fps);
+    if (strikes.empty()) return;
     const std::size_t count = strikes.size();
-    if (count < 2 || count % 2 != 0) return;
-    for (std::size_t i = 0; i < count; ++i) {
-        const PhaseEvent &a = strikes[i], &b = strikes[(i + 1) % count];
-        const float gap = i + 1 < count ? b.time - a.time : b.time + duration - a.time;
-        if (a.foot == b.foot || gap <= 0.5f / clip.fps) return;
-    }
     clip.cycles = static_cast<int>(count / 2);
     // Phase of the first frame: between the last strike of the pass before and the first of this one.
     const PhaseEvent &first = strikes.front(), &last = strikes.back();
