@@ -19,10 +19,10 @@ std::optional<Severity> severity_from_name(std::string_view name) noexcept;
 
 /// What would mend a finding.
 struct Fix {
-    std::string kind;                ///< "add-clip", "mirror", "remove", "straighten", "close-loop", "keep-one"
-    std::string text;                ///< the same in words
-    std::string space;               ///< where a clip is to be added; empty otherwise
-    std::vector<float> target;       ///< what the added clip must do, one value an axis; empty otherwise
+    std::string kind;           ///< "add-clip", "mirror", "remove", "straighten", "close-loop", "keep-one"
+    std::string text;           ///< the same in words
+    std::string space;          ///< where a clip is to be added; empty otherwise
+    std::vector<float> target;  ///< what the added or straightened clip must do, one value an axis; empty otherwise
     std::vector<std::string> clips;  ///< what the fix works on
 
     friend bool operator==(const Fix&, const Fix&) = default;

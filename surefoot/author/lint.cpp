@@ -2,6 +2,7 @@
 #include <surefoot/author/place.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <set>
 
@@ -67,10 +68,10 @@ const std::vector<LintRule>& lint_rules() {
          {{"pose", 25, "cm", "mean pose distance along an edge"}},
          "Neighbouring clips move so differently that the poses between them look like neither."},
         {"phase-mismatch",
-         "No steps found",
+         "Steps that match no others",
          Severity::error,
          {},
-         "A clip that travels has no foot strikes, so it cannot be kept in step with the others."},
+         "A clip that moves has no foot strikes, or not left and right in turn: it plays out of step, and legs cross."},
         {"loop-pop",
          "Loop pops",
          Severity::warning,
@@ -122,6 +123,24 @@ const std::vector<LintRule>& lint_rules() {
     return rules;
 }
 
+SideWords side_words(std::string_view axis) {
+    if (axis == "turn") return {"turning right", "turning left", "going straight"};
+    if (axis == "speed" || axis == "forward") return {"going backward", "going forward", "staying on the spot"};
+    if (axis == "lateral") return {"stepping right", "stepping left", "going straight"};
+    if (axis == "slope") return {"going downhill", "going uphill", "level ground"};
+    return {"below zero", "above zero", "zero"};
+}
+
+std::string describe_clip(std::span<const Axis> axes, std::span<const float> values) {
+    bool still = true;
+    for (std::size_t k = 0; k < axes.size(); ++k)
+        for (const char* motion : {"speed", "forward", "lateral", "turn"})
+            still &= axes[k].name != motion || values[k] == 0;
+    if (still) return "a clip that stands still";
+    const std::string place = describe_place(axes, values);
+    return (place[0] >= '0' && place[0] <= '9' ? "a clip that goes " : "a clip ") + place;
+}
+
 PercentSpace::PercentSpace(const ProjectSpace& space) : space_(&space) {
     for (int k = 0; k < dimensions(); ++k) {
         const Axis& axis = space.space.axes[k];
@@ -153,10 +172,16 @@ std::vector<std::array<int, 2>> PercentSpace::edges() const {
     return {edges.begin(), edges.end()};
 }
 
-const LintRule& LintContext::rule(std::string_view id) const {
+const LintRule* find_lint_rule(std::string_view id) noexcept {
     for (const LintRule& rule : lint_rules())
-        if (rule.id == id) return rule;
-    return lint_rules().front();
+        if (rule.id == id) return &rule;
+    return nullptr;
+}
+
+const LintRule& LintContext::rule(std::string_view id) const {
+    const LintRule* found = find_lint_rule(id);
+    assert(found != nullptr);
+    return *found;
 }
 
 bool LintContext::enabled(const char* id) const {
@@ -177,8 +202,26 @@ std::vector<float> LintContext::place(const ProjectSpace& space, const SpacePoin
     return {point.begin(), point.begin() + space.space.dimensions()};
 }
 
+SpacePoint LintContext::point(std::span<const float> values) {
+    SpacePoint point{};
+    std::copy(values.begin(), values.end(), point.begin());
+    return point;
+}
+
 std::vector<float> LintContext::place(const ProjectSpace& space, int sample) const {
     return place(space, space.space.samples[sample]);
+}
+
+Finding LintContext::pair_finding(const char* rule, const ProjectSpace& space, int a, int b) const {
+    Finding finding;
+    finding.rule = rule;
+    finding.space = space.name;
+    finding.clips = {name(space, a), name(space, b)};
+    SpacePoint middle{};
+    for (int k = 0; k < space.space.dimensions(); ++k)
+        middle[k] = 0.5f * (space.space.samples[a][k] + space.space.samples[b][k]);
+    finding.at = place(space, middle);
+    return finding;
 }
 
 std::optional<float> LintContext::apart(int a, int b) const {
@@ -194,6 +237,19 @@ void LintContext::add(Finding finding, std::optional<Severity> severity) {
     if (const auto found = project_.lint.find(finding.rule); found != project_.lint.end())
         finding.severity = found->second.severity.value_or(finding.severity);
     result.findings.push_back(std::move(finding));
+}
+
+bool LintContext::asked_for(const char* rule, const ProjectSpace& space, const SpacePoint& point) const {
+    const PercentSpace percent(space);
+    const double near = threshold("too-close", "distance");
+    return std::any_of(result.findings.begin(), result.findings.end(), [&](const Finding& finding) {
+        if (finding.rule != rule || finding.space != space.name || !finding.fix) return false;
+        if (finding.fix->target.size() != space.space.axes.size()) return false;
+        SpacePoint target = this->point(finding.fix->target);  // which may lie beyond the axes' limits
+        for (int k = 0; k < space.space.dimensions(); ++k)
+            target[k] = std::min(std::max(target[k], space.space.axes[k].low), space.space.axes[k].high);
+        return percent.distance(target, point) < near;
+    });
 }
 
 bool LintContext::near_placeholder(const ProjectSpace& space, const Placeholder& placeholder) const {
@@ -226,7 +282,7 @@ std::vector<Axis> with_extra(const ProjectSpace& space, const std::vector<std::s
 void LintContext::ask_for(const ProjectSpace& space, Finding finding, PlaceholderKind kind,
                           const std::vector<float>& target, const std::vector<std::string>& extra_axes,
                           std::optional<Severity> severity) {
-    const std::string text = "a clip that goes " + describe_place(with_extra(space, extra_axes), target);
+    const std::string text = describe_clip(with_extra(space, extra_axes), target);
     finding.space = space.name;
     finding.fix = Fix{"add-clip", "add " + text, space.name, target, {}};
     add_placeholder(space, finding.rule.c_str(), kind, target, extra_axes, text);
@@ -256,10 +312,8 @@ LintResult lint(const Project& project, std::span<const PoseTable> poses) {
     lint_probe(context);
 
     for (const auto& [id, setting] : project.lint) {
-        const auto& rules = lint_rules();
-        const auto found =
-            std::find_if(rules.begin(), rules.end(), [&id = id](const LintRule& r) { return r.id == id; });
-        if (found == rules.end()) {
+        const LintRule* found = find_lint_rule(id);
+        if (found == nullptr) {
             context.result.warnings.push_back("the project sets lint rule \"" + id + "\", which does not exist");
             continue;
         }

@@ -32,8 +32,21 @@ struct LintRule {
 /// All rules, in the order in which findings are listed.
 const std::vector<LintRule>& lint_rules();
 
+/// The rule of that id, or null.
+const LintRule* find_lint_rule(std::string_view id) noexcept;
+
+/// The page about a rule in docs/lint, as Markdown: what it is, what the player sees, how to mend it. Empty for an id
+/// that is not known.
+std::string_view lint_page(std::string_view id) noexcept;
+
+/// Changes a setting as the command line words it: "crossing-axis=off" (or a severity, which also turns it on) and
+/// "too-close.distance=6". Throws Error, listing what there is, for a rule, severity or threshold that is not known,
+/// and for a value that is no number or below 0. `option` names where the text comes from.
+void set_lint_rule(LintSettings& settings, std::string_view text, const std::string& option);
+void set_lint_threshold(LintSettings& settings, std::string_view text, const std::string& option);
+
 struct LintResult {
-    std::vector<Finding> findings;  ///< by rule, then space, then clips
+    std::vector<Finding> findings;  ///< worst first, then by rule, space and clips
     std::vector<Placeholder> placeholders;
     std::vector<std::string> warnings;  ///< settings that name no rule or threshold
 };

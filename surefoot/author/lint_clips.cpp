@@ -1,5 +1,6 @@
 // Rules about one clip alone, wherever it stands.
 
+#include <surefoot/analysis/strikes.h>
 #include <surefoot/author/lint_context.h>
 #include <surefoot/author/place.h>
 
@@ -20,19 +21,27 @@ Finding about(const char* rule, const ProjectClip& clip, std::string message, co
     return finding;
 }
 
+/// What keeps a clip's steps from being matched with those of others.
+std::string what_steps(const ClipFacts& facts) {
+    int strikes[2] = {0, 0};
+    for (const PhaseEvent& event : facts.events)
+        if (event.kind == StrideEvent::strike) ++strikes[static_cast<std::size_t>(event.foot)];
+    if (strikes[0] + strikes[1] == 0) return "no foot strike was found in it";
+    if (strikes[0] != strikes[1])
+        return fmt::format("its left foot strikes {} and its right foot {} times a loop", strikes[0], strikes[1]);
+    return "its left and right foot do not strike in turn";
+}
+
 }  // namespace
 
 void lint_clip(LintContext& context, const ProjectClip& clip) {
     const ClipFacts& facts = clip.facts;
-    const bool travels = std::fabs(facts.speed) >= k_standing_speed;
-    const bool has_strike = std::any_of(facts.events.begin(), facts.events.end(),
-                                        [](const PhaseEvent& e) { return e.kind == StrideEvent::strike; });
-    if (travels && facts.cyclic && !has_strike)
+    const bool travels = std::fabs(facts.speed) >= k_standing_speed, moves = !is_idle(facts);
+    if (moves && facts.cyclic && alternating_strikes(facts.events, facts.duration, facts.fps).empty())
         context.add(about("phase-mismatch", clip,
-                          fmt::format("\"{}\" travels but no foot strike was found in it: blended with others it falls "
-                                      "out of step, and the legs cross.",
-                                      clip.name),
-                          "remove", "leave the clip out, or check its roles and its ground"));
+                          fmt::format("\"{}\" {} but {}: blended with others it falls out of step, and the legs cross.",
+                                      clip.name, travels ? "travels" : "turns", what_steps(facts)),
+                          "remove", "leave the clip out, cut it to whole strides, or check its roles and its ground"));
 
     // A closed cycle has no seam left: what it was before closing is in its facts, but nobody sees it any more. (Its
     // speed there still differs from one frame to the next, as it does at any foot strike.)
@@ -49,20 +58,20 @@ void lint_clip(LintContext& context, const ProjectClip& clip) {
     const double skate_cm = 100.0 * facts.skate;
     if (skate_cm > context.threshold("skating-clip", "skate"))
         context.add(about("skating-clip", clip,
-                          fmt::format("In \"{}\" itself planted feet slide at {:.0f} cm/s; blending cannot mend that.",
+                          fmt::format("In \"{}\" itself planted feet slide at {:.1f} cm/s; blending cannot mend that.",
                                       clip.name, skate_cm),
                           "remove", "clean the clip, or replace it"));
 
-    if (!facts.in_place && travels) {
-        const double share = 100.0 * facts.root_disagreement_speed / std::fabs(facts.speed);
-        if (share > context.threshold("root-disagrees", "speed") ||
-            std::fabs(facts.root_disagreement_turn) > context.threshold("root-disagrees", "turn"))
-            context.add(about(
-                "root-disagrees", clip,
-                fmt::format("The root of \"{}\" and its planted feet disagree by {:.2f} m/s ({:.0f} %) and "
-                            "{:.0f} deg/s: the feet slide by that much.",
-                            clip.name, facts.root_disagreement_speed, share, std::fabs(facts.root_disagreement_turn)),
-                "remove", "export the clip again with its true root motion"));
+    if (!facts.in_place && moves) {
+        const double share = travels ? 100.0 * facts.root_disagreement_speed / std::fabs(facts.speed) : 0;
+        const double turn = std::fabs(facts.root_disagreement_turn);
+        if (share > context.threshold("root-disagrees", "speed") || turn > context.threshold("root-disagrees", "turn"))
+            context.add(
+                about("root-disagrees", clip,
+                      fmt::format("The root of \"{}\" and its planted feet disagree by {:.2f} m/s ({:.0f} %) and "
+                                  "{:.0f} deg/s: the feet slide by that much.",
+                                  clip.name, facts.root_disagreement_speed, share, turn),
+                      "remove", "export the clip again with its true root motion"));
     }
     if (facts.hip_height > 0 && (facts.hip_height < context.threshold("unit-suspect", "low") ||
                                  facts.hip_height > context.threshold("unit-suspect", "high")))

@@ -7,6 +7,15 @@
 
 namespace surefoot {
 
+/// The two sides of an axis in words, and what lies between them.
+struct SideWords {
+    const char *below, *above, *between;
+};
+SideWords side_words(std::string_view axis);
+
+/// "a clip that goes 1.40 m/s forward, without turning", "a clip that stands still".
+std::string describe_clip(std::span<const Axis> axes, std::span<const float> values);
+
 /// Samples in percent of each axis' range, 0 included.
 class PercentSpace {
   public:
@@ -41,6 +50,12 @@ class LintContext {
     std::vector<float> place(const ProjectSpace& space, int sample) const;
     std::vector<float> place(const ProjectSpace& space, const SpacePoint& point) const;
 
+    /// The beginning of a finding about two samples: rule, space, clips, and the middle between them as its place.
+    Finding pair_finding(const char* rule, const ProjectSpace& space, int a, int b) const;
+
+    /// `values` of a place, as a point.
+    static SpacePoint point(std::span<const float> values);
+
     /// Mean pose distance [m] of two clips, absent where it is not known.
     std::optional<float> apart(int clip_a, int clip_b) const;
 
@@ -50,6 +65,8 @@ class LintContext {
     /// `extra_axes` name dimensions that the space does not have yet.
     void ask_for(const ProjectSpace& space, Finding finding, PlaceholderKind kind, const std::vector<float>& target,
                  const std::vector<std::string>& extra_axes = {}, std::optional<Severity> severity = {});
+    /// Whether an earlier finding of `rule` asks for a clip nearer to `point` than two clips should be.
+    bool asked_for(const char* rule, const ProjectSpace& space, const SpacePoint& point) const;
     /// The placeholder alone.
     void add_placeholder(const ProjectSpace& space, const char* rule, PlaceholderKind kind,
                          const std::vector<float>& target, const std::vector<std::string>& extra_axes,

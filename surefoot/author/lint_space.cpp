@@ -17,20 +17,21 @@ constexpr float k_reference_turn = 90;  ///< [deg/s] the paper's 90 degree turn,
 constexpr float k_walk_back = -1;       ///< [m/s] a backward walk, where there is none to measure
 constexpr float k_walk = 1.4f;          ///< [m/s] a walk
 
-/// Whether some sample is within `limit` percent of `point`.
-bool has_sample_near(const ProjectSpace& space, const PercentSpace& percent, const SpacePoint& point, double limit) {
-    for (const SpacePoint& sample : space.space.samples)
-        if (percent.distance(sample, point) <= limit) return true;
-    return false;
-}
-
 std::vector<std::string> names_at(const LintContext& context, const ProjectSpace& space) {
     std::vector<std::string> names;
     for (int i = 0; i < static_cast<int>(space.clips.size()); ++i) names.push_back(context.name(space, i));
     return names;
 }
 
-/// Highest and lowest value on an axis among samples that lie on the axis itself (all other values near 0).
+/// Where all axes have the value nearest to 0: standing still on level ground.
+SpacePoint neutral_point(const BlendSpace& space) {
+    SpacePoint point{};
+    for (int k = 0; k < space.dimensions(); ++k)
+        point[k] = std::min(std::max(0.0f, space.axes[k].low), space.axes[k].high);
+    return point;
+}
+
+/// Highest and lowest value on an axis among samples that lie on the axis itself (all other values neutral).
 struct AxisEnds {
     float low = 0, high = 0;                   ///< of all samples
     bool low_held = false, high_held = false;  ///< a sample on the axis is there
@@ -43,13 +44,30 @@ AxisEnds axis_ends(const ProjectSpace& space, const PercentSpace& percent, int a
         ends.high = std::max(ends.high, sample[axis]);
     }
     for (const SpacePoint& sample : space.space.samples) {
-        SpacePoint on_axis{};
+        SpacePoint on_axis = neutral_point(space.space);
         on_axis[axis] = sample[axis];
         if (percent.distance(sample, on_axis) > limit) continue;
         ends.low_held |= percent.percent(static_cast<double>(sample[axis]) - ends.low, axis) <= limit;
         ends.high_held |= percent.percent(static_cast<double>(ends.high) - sample[axis], axis) <= limit;
     }
     return ends;
+}
+
+/// Dimension that the samples span.
+int rank_of(const BlendSpace& space) {
+    if (space.simplices.empty()) return 0;
+    int corners = 0;
+    for (const std::int32_t corner : space.simplices.front()) corners += corner >= 0;
+    return corners - 1;
+}
+
+/// Name of an axis along which all samples have one value; empty where there is none.
+std::string flat_axis(const ProjectSpace& space) {
+    const auto& samples = space.space.samples;
+    for (int k = 0; k < space.space.dimensions(); ++k)
+        if (std::all_of(samples.begin(), samples.end(), [&](const SpacePoint& p) { return p[k] == samples[0][k]; }))
+            return space.space.axes[k].name;
+    return {};
 }
 
 }  // namespace
@@ -97,25 +115,48 @@ void lint_degenerate_space(LintContext& context, const ProjectSpace& space) {
                 "spot. A walk opens the second.";
             finding.fix = Fix{"add-clip", "add a clip that walks straight ahead", space.name, {}, {}};
             context.add(std::move(finding), Severity::warning);
+        } else if (context.project().spaces.size() == 1) {  // else another space has the other directions
+            finding.message =
+                fmt::format("The clips differ in nothing but {}, so that is all that the player can steer.", axis);
+            finding.fix = Fix{"add-clip", "add clips that move in other directions", space.name, {}, {}};
+            context.add(std::move(finding), Severity::warning);
         }
         return;
     }
-    const bool full = !space.space.simplices.empty() && space.space.simplices[0][space.space.dimensions()] >= 0;
-    if (full) return;
-    finding.message =
-        "All samples lie on one line, so the character can only blend along it; any other wish is answered by the "
-        "nearest point of the line.";
-    finding.fix = Fix{"add-clip", "add a clip beside the line", space.name, {}, {}};
+    const int rank = rank_of(space.space);
+    if (rank == space.space.dimensions()) return;
+    const char* where = rank == 1 ? "line" : rank == 2 ? "plane" : "volume";
+    const std::string flat = flat_axis(space);
+    finding.message = fmt::format(
+        "All samples lie on one {0}{1}, so the character can only blend along it; any other wish is answered by the "
+        "nearest point of the {0}.",
+        where, flat.empty() ? "" : " (no two of them differ in " + flat + ")");
+    finding.fix = Fix{"add-clip",
+                      flat.empty() ? fmt::format("add a clip beside the {}", where) : "add a clip with another " + flat,
+                      space.name,
+                      {},
+                      {}};
     context.add(std::move(finding), Severity::warning);
 }
 
 void lint_missing_idle(LintContext& context, const ProjectSpace& space) {
-    const PercentSpace percent(space);
     if (space.name != "facing" && context.project().find_space("facing")) return;
-    if (has_sample_near(space, percent, {}, context.threshold("missing-idle", "distance"))) return;
+    const PercentSpace percent(space);
+    const double limit = context.threshold("missing-idle", "distance");
+    std::vector<int> motion;  // an idle is still, whatever its slope or style
+    for (const char* name : {"speed", "forward", "lateral", "turn"})
+        if (const int axis = percent.axis(name); axis >= 0) motion.push_back(axis);
+    const auto stands = [&](const SpacePoint& sample) {
+        double square = 0;
+        for (const int axis : motion)
+            square += percent.percent(sample[axis], axis) * percent.percent(sample[axis], axis);
+        return std::sqrt(square) <= limit;
+    };
+    const auto& samples = space.space.samples;
+    if (motion.empty() || std::any_of(samples.begin(), samples.end(), stands)) return;
     Finding finding;
     finding.rule = "missing-idle";
-    finding.at = context.place(space, SpacePoint{});
+    finding.at = context.place(space, neutral_point(space.space));
     finding.message =
         "No clip stands still. When the player lets go of the stick the character keeps stepping on the spot.";
     context.ask_for(space, finding, PlaceholderKind::needed, finding.at);
@@ -125,7 +166,7 @@ void lint_missing_axis_end(LintContext& context, const ProjectSpace& space) {
     const PercentSpace percent(space);
     const double limit = context.threshold("missing-axis-end", "distance");
     const auto ask = [&](int axis, float value, const std::string& message) {
-        SpacePoint point{};
+        SpacePoint point = neutral_point(space.space);
         point[axis] = value;
         Finding finding;
         finding.rule = "missing-axis-end";
@@ -133,7 +174,9 @@ void lint_missing_axis_end(LintContext& context, const ProjectSpace& space) {
         finding.message = message;
         context.ask_for(space, finding, PlaceholderKind::needed, finding.at);
     };
-    if (const int speed = percent.axis("speed"); speed >= 0) {
+    // Sideways spaces leave straight ahead and back to the space of those who go where they face.
+    const bool alone = percent.axis("speed") < 0 && !context.project().find_space("facing");
+    if (const int speed = percent.axis(alone ? "forward" : "speed"); speed >= 0) {
         const AxisEnds ends = axis_ends(space, percent, speed, limit);
         if (ends.high > 0 && !ends.high_held)
             ask(speed, ends.high,
@@ -152,7 +195,7 @@ void lint_missing_axis_end(LintContext& context, const ProjectSpace& space) {
         for (const float side : {k_reference_turn, -k_reference_turn}) {
             bool held = false;
             for (const SpacePoint& sample : space.space.samples) {
-                SpacePoint on_axis{};
+                SpacePoint on_axis = neutral_point(space.space);
                 on_axis[turn] = sample[turn];
                 held |= percent.distance(sample, on_axis) <= limit &&
                         percent.percent(static_cast<double>(sample[turn]) / side * std::fabs(side) - std::fabs(side),
@@ -183,6 +226,39 @@ void lint_missing_axis_end(LintContext& context, const ProjectSpace& space) {
     }
 }
 
+namespace {
+
+void add_misaligned(LintContext& context, const ProjectSpace& space, int sample, const SpacePoint& aligned,
+                    int off_axis) {
+    const PercentSpace percent(space);
+    const Axis& axis = space.space.axes[off_axis];
+    const float value = space.space.samples[sample][off_axis];
+    const SideWords words = side_words(axis.name);
+    Finding finding;
+    finding.rule = "misaligned";
+    finding.space = space.name;
+    finding.clips = {context.name(space, sample)};
+    finding.at = context.place(space, sample);
+    finding.message = fmt::format(
+        "\"{}\" seems meant for {}, but it is {} by {:.2g} {} ({:.1f} % of the axis). Placed on the axis by hand it "
+        "would carry the character off course; placed where it was measured, {} is mixed from several clips.",
+        finding.clips[0], words.between, value < 0 ? words.below : words.above, std::fabs(value), axis.unit,
+        std::fabs(percent.at(sample, off_axis)), words.between);
+    const std::vector<float> target = context.place(space, aligned);
+    const std::string wanted = describe_clip(space.space.axes, target);
+    // Where another clip is about there, none needs to be added.
+    bool held = false;
+    for (int i = 0; i < percent.count(); ++i)
+        held |= i != sample &&
+                percent.distance(space.space.samples[i], aligned) < context.threshold("too-close", "distance");
+    if (!held) context.add_placeholder(space, "misaligned", PlaceholderKind::needed, target, {}, wanted);
+    finding.fix = Fix{"straighten", held ? "straighten it" : "straighten it, or add " + wanted, space.name, target,
+                      finding.clips};
+    context.add(std::move(finding));
+}
+
+}  // namespace
+
 void lint_misaligned(LintContext& context, const ProjectSpace& space) {
     if (space.space.dimensions() < 2) return;
     const PercentSpace percent(space);
@@ -190,28 +266,16 @@ void lint_misaligned(LintContext& context, const ProjectSpace& space) {
     for (int i = 0; i < percent.count(); ++i) {
         SpacePoint aligned = space.space.samples[i];
         int off_axis = -1;
-        double off = 0, along = 0;
+        double along = 0;
         for (int k = 0; k < percent.dimensions(); ++k) {
             const double value = std::fabs(percent.at(i, k));
             along = std::max(along, value);
             if (value <= near || value >= far) continue;
             aligned[k] = 0;
-            off_axis = k;
-            off = std::max(off, value);
+            if (off_axis < 0 || value > std::fabs(percent.at(i, off_axis))) off_axis = k;
         }
         if (off_axis < 0 || along < far) continue;  // a sample near the origin is an idle, aligned with nothing
-        const Axis& axis = space.space.axes[off_axis];
-        Finding finding;
-        finding.rule = "misaligned";
-        finding.clips = {context.name(space, i)};
-        finding.at = context.place(space, i);
-        finding.message = fmt::format(
-            "\"{}\" seems meant to have no {}, but it has {:.2f} {} ({:.1f} % of the axis). Played as if it had none, "
-            "it "
-            "would carry the character off course; here it stands where it was measured, so the course is right and "
-            "the pure motion is mixed from several clips.",
-            finding.clips[0], axis.name, space.space.samples[i][off_axis], axis.unit, off);
-        context.ask_for(space, finding, PlaceholderKind::needed, context.place(space, aligned));
+        add_misaligned(context, space, i, aligned, off_axis);
     }
 }
 
@@ -225,13 +289,7 @@ void lint_too_close(LintContext& context, const ProjectSpace& space) {
             if (distance >= limit) continue;
             const auto apart = context.apart(space.clips[i], space.clips[j]);
             const double apart_cm = apart ? 100.0 * *apart : 0;
-            Finding finding;
-            finding.space = space.name;
-            finding.clips = {context.name(space, i), context.name(space, j)};
-            SpacePoint middle{};
-            for (int k = 0; k < percent.dimensions(); ++k)
-                middle[k] = 0.5f * (space.space.samples[i][k] + space.space.samples[j][k]);
-            finding.at = context.place(space, middle);
+            Finding finding = context.pair_finding("too-close", space, i, j);
             finding.fix = Fix{"keep-one",
                               fmt::format("keep one of \"{}\" and \"{}\"", finding.clips[0], finding.clips[1]),
                               space.name,
@@ -248,8 +306,8 @@ void lint_too_close(LintContext& context, const ProjectSpace& space) {
                 context.add(std::move(finding));
                 continue;
             }
-            finding.rule = "too-close";
             const bool conflicting = apart && apart_cm > conflict;
+            if (conflicting) finding.fix->text += ", and give the other a space of its own";
             finding.message = fmt::format("\"{}\" and \"{}\" are only {:.1f} % apart. ", finding.clips[0],
                                           finding.clips[1], distance);
             if (!apart)
@@ -257,14 +315,11 @@ void lint_too_close(LintContext& context, const ProjectSpace& space) {
             else if (conflicting)
                 finding.message += fmt::format(
                     "They are conflicting: their poses differ by {:.0f} cm, so the slightest move of the stick "
-                    "switches "
-                    "between two styles.",
+                    "switches between two styles.",
                     apart_cm);
             else
                 finding.message += fmt::format(
-                    "They are redundant: their poses differ by only {:.1f} cm, so the second costs memory and adds "
-                    "little.",
-                    apart_cm);
+                    "They are redundant (poses {:.1f} cm apart): the second costs memory and adds little.", apart_cm);
             context.add_placeholder(
                 space, "too-close", PlaceholderKind::suggested, finding.at, {},
                 "one clip here in place of \"" + finding.clips[0] + "\" and \"" + finding.clips[1] + "\"");
@@ -274,7 +329,7 @@ void lint_too_close(LintContext& context, const ProjectSpace& space) {
 
 void lint_uncovered(LintContext& context, const ProjectSpace& space) {
     const int d = space.space.dimensions();
-    if (d < 2 || space.space.simplices.empty()) return;
+    if (space.space.simplices.empty()) return;
     const PercentSpace percent(space);
     const double limit = context.threshold("uncovered", "distance");
     // Each axis at its low end, at 0 (or the middle, where 0 is an end) or at its high end; not all at the inner one.
@@ -296,6 +351,7 @@ void lint_uncovered(LintContext& context, const ProjectSpace& space) {
         Finding finding;
         finding.rule = "uncovered";
         finding.at = context.place(space, point);
+        if (context.asked_for("missing-axis-end", space, point)) continue;  // said already, and more plainly
         for (int k = 0; k < nearest.count; ++k) finding.clips.push_back(context.name(space, nearest.samples[k]));
         std::sort(finding.clips.begin(), finding.clips.end());
         finding.message = fmt::format(

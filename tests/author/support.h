@@ -31,6 +31,13 @@ inline ProjectClip make_clip(const std::string& name, float speed, float turn, f
     return clip;
 }
 
+/// A clip that stands at these values in a space of any axes, whatever it does.
+inline ProjectClip pin_clip(const std::string& name, const std::string& space, std::vector<float> values) {
+    ProjectClip clip = make_clip(name, 1, 0);
+    clip.pins = {{space, std::move(values)}};
+    return clip;
+}
+
 /// Places the clips in the spaces they need.
 inline Project make_project(std::vector<ProjectClip> clips, const std::vector<std::string>& axes = {}) {
     Project project;
@@ -41,21 +48,29 @@ inline Project make_project(std::vector<ProjectClip> clips, const std::vector<st
     return project;
 }
 
-/// The same as one (speed, turn) space with given limits, whatever the clips.
-inline Project make_plane(std::vector<ProjectClip> clips, float low_speed, float high_speed, float turn) {
+/// The same as one space of these axes, limits and all, whatever the clips.
+inline Project make_space(std::vector<ProjectClip> clips, const std::vector<Axis>& axes) {
+    std::string names;
+    for (const Axis& axis : axes) names += (names.empty() ? "" : ",") + axis.name;
     Project before;
-    before.spaces.emplace_back();
-    before.spaces[0].name = "facing";
-    before.spaces[0].axes_pinned = true;
-    before.spaces[0].space.axes = {{"speed", "m/s", low_speed, high_speed, false},
-                                   {"turn", "deg/s", -turn, turn, false}};
+    for (const char* name : {"facing", "lateral"}) {
+        before.spaces.emplace_back();
+        before.spaces.back().name = name;
+        before.spaces.back().axes_pinned = true;
+        before.spaces.back().space.axes = axes;
+    }
     Project project;
     project.name = "test";
     project.clips = std::move(clips);
     std::vector<std::string> warnings;
-    const std::string axes[] = {"speed,turn"};
-    place_clips(project, axes, &before, warnings);
+    place_clips(project, {&names, 1}, &before, warnings);
     return project;
+}
+
+/// One (speed, turn) space with given limits.
+inline Project make_plane(std::vector<ProjectClip> clips, float low_speed, float high_speed, float turn) {
+    return make_space(std::move(clips),
+                      {{"speed", "m/s", low_speed, high_speed, false}, {"turn", "deg/s", -turn, turn, false}});
 }
 
 inline std::vector<Finding> of_rule(const LintResult& result, const std::string& rule) {
