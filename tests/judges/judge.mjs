@@ -1,7 +1,8 @@
-// Asks Khronos' validator and three.js about .glb files.
+// Asks Khronos' validator and three.js about .glb files, and the SARIF schema about lint's.
 //
 //   node judge.mjs valid  FILE.glb|FOLDER...      no errors by the Khronos glTF validator
 //   node judge.mjs places FILE.json|FOLDER...     three.js puts every joint of every frame where the JSON says
+//   node judge.mjs sarif  FILE.sarif|FOLDER...    valid by the JSON schema of SARIF 2.1.0, and with results in it
 //
 // NAME.INDEX.json belongs to animation INDEX of NAME.glb beside it, in metres, in the world:
 //   { "animation": 0, "fps": 60, "joints": ["hips", …], "frames": [[x, y, z, x, y, z, …], …] }
@@ -15,9 +16,9 @@ const k_tolerance = 1e-4; // [m] a tenth of a millimetre
 
 const require = createRequire(import.meta.url);
 const [command, ...paths] = process.argv.slice(2);
-const judges = { valid, places };
+const judges = { valid, places, sarif };
 if (!judges[command] || paths.length === 0) {
-  console.error('usage: judge.mjs valid|places FILE|FOLDER...');
+  console.error('usage: judge.mjs valid|places|sarif FILE|FOLDER...');
   process.exit(2);
 }
 if (!existsSync(new URL('node_modules/three', import.meta.url))) {
@@ -25,7 +26,7 @@ if (!existsSync(new URL('node_modules/three', import.meta.url))) {
   process.exit(process.env.SUREFOOT_NEED_JUDGES ? 1 : 77);
 }
 
-const ending = command === 'valid' ? '.glb' : '.json';
+const ending = { valid: '.glb', places: '.json', sarif: '.sarif' }[command];
 const files = paths.flatMap((path) =>
   statSync(path).isDirectory()
     ? readdirSync(path, { recursive: true })
@@ -57,6 +58,24 @@ async function valid(file) {
   }
   const warned = [...new Set(messages.filter((m) => m.severity === 1).map((m) => m.code))];
   return `valid, ${numWarnings} warnings ${warned.join(' ')}`.trim();
+}
+
+async function sarif(file) {
+  const Ajv = require('ajv-draft-04'); // what the schema is written in
+  const schema = require('@microsoft/jest-sarif/lib/schemas/sarif-2.1.0-rtm.5.json');
+  const ajv = new Ajv({ allErrors: true, strict: false, unicodeRegExp: false });
+  require('ajv-formats')(ajv);
+  const log = JSON.parse(readFileSync(file, 'utf8'));
+  if (!ajv.validate(schema, log)) {
+    const first = ajv.errors.slice(0, 5);
+    throw new Error(`${ajv.errors.length} errors: ` + first.map((e) => `${e.instancePath} ${e.message}`).join('; '));
+  }
+  const [run] = log.runs;
+  const ids = run.tool.driver.rules.map((rule) => rule.id);
+  for (const { ruleId, ruleIndex } of run.results)
+    if (ids[ruleIndex] !== ruleId) throw new Error(`rule ${ruleIndex} is ${ids[ruleIndex]}, not ${ruleId}`);
+  if (run.results.length === 0) throw new Error('no results');
+  return `valid, ${ids.length} rules, ${run.results.length} results`;
 }
 
 async function places(wantedFile) {
