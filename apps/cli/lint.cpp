@@ -37,6 +37,7 @@ std::string threshold_text(const LintRule& rule) {
 int list_rules() {
     for (const LintRule& rule : lint_rules())
         fmt::print("{:<22} {:<8} {:<28} {}\n", rule.id, severity_name(rule.severity), rule.title, threshold_text(rule));
+    return 0;
 }
 
 int explain(const std::string& id) {

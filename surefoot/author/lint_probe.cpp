@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 
 namespace surefoot {
 namespace {
@@ -20,6 +21,17 @@ std::string percent_list(const ProbeSpace& space, const ProbeCell& cell) {
     for (const ProbeShare& share : cell.shares)
         text += fmt::format("{}\"{}\" {:.0f} %", text.empty() ? "" : ", ", space.clips[share.clip], 100 * share.weight);
     return text;
+}
+
+/// A clip that goes wrong all but alone is to be mended itself; a blend wants a clip where it goes wrong.
+std::optional<Fix> fix_for(const LintContext& context, const Finding& finding, const ProbeCell& cell) {
+    constexpr float k_alone = 0.9f;
+    if (cell.shares.front().weight > k_alone)
+        return Fix{"remove", fmt::format("clean \"{}\", or replace it", finding.clips[0]), {}, {}, {finding.clips[0]}};
+    const ProjectSpace* space = context.project().find_space(finding.space);
+    if (space == nullptr || finding.at.size() != space->space.axes.size()) return {};
+    return Fix{"add-clip", "add " + describe_clip(space->space.axes, finding.at), finding.space, finding.at,
+               finding.clips};
 }
 
 void add_findings(LintContext& context, const ProbeSpace& space, const char* rule, const Excess& excess,
@@ -46,6 +58,7 @@ void add_findings(LintContext& context, const ProbeSpace& space, const char* rul
         finding.space = space.name;
         finding.at = group.worst->at;
         for (const ProbeShare& share : group.worst->shares) finding.clips.push_back(space.clips[share.clip]);
+        finding.fix = fix_for(context, finding, *group.worst);
         finding.message = fmt::format("{} ({}; {} of {} blends probed)", message(*group.worst),
                                       percent_list(space, *group.worst), group.cells, space.cells.size());
         context.add(std::move(finding));
@@ -81,7 +94,7 @@ void probe_speed(LintContext& context, const ProbeSpace& space) {
                               : error > 0 ? "faster than asked"
                                           : "slower than asked";
             return fmt::format(
-                "at {} the feet go {:.0f} % {} ({:+.0f} % in the clips alone): they slide by the difference",
+                "At {} the feet go {:.0f} % {} ({:+.0f} % in the clips alone): they slide by the difference",
                 place(space, cell), std::fabs(error), way, cell.sources[figure]);
         });
 }
@@ -92,7 +105,7 @@ void probe_turn(LintContext& context, const ProbeSpace& space) {
         context, space, "probe-turn", [&](const ProbeCell& cell) { return added(cell, ProbeFigure::turn) - most; },
         [&](const ProbeCell& cell) {
             return fmt::format(
-                "at {} the feet turn {:.0f} deg/s too far to the {} ({:+.0f} in the clips alone): they "
+                "At {} the feet turn {:.0f} deg/s too far to the {} ({:+.0f} in the clips alone): they "
                 "twist on the ground",
                 place(space, cell), std::fabs(cell.blend[ProbeFigure::turn]),
                 cell.blend[ProbeFigure::turn] > 0 ? "left" : "right", cell.sources[ProbeFigure::turn]);
@@ -109,8 +122,8 @@ void probe_skate(LintContext& context, const ProbeSpace& space) {
             return std::min(own - ratio * sources, own - sources - least);
         },
         [&](const ProbeCell& cell) {
-            if (!(cell.standing > 0)) return fmt::format("at {} no foot ever stands", place(space, cell));
-            return fmt::format("at {} planted feet slide at {:.0f} cm/s; those of its clips alone at {:.0f} cm/s",
+            if (!(cell.standing > 0)) return fmt::format("At {} no foot ever stands", place(space, cell));
+            return fmt::format("At {} planted feet slide at {:.0f} cm/s; those of its clips alone at {:.0f} cm/s",
                                place(space, cell), cell.blend[ProbeFigure::skate], cell.sources[ProbeFigure::skate]);
         });
 }
@@ -125,7 +138,7 @@ void probe_knee(LintContext& context, const ProbeSpace& space) {
         },
         [&](const ProbeCell& cell) {
             return fmt::format(
-                "at {} a knee jerks {:.1f} times as hard as in its clips ({:.0f} deg/s^2)", place(space, cell),
+                "At {} a knee jerks {:.1f} times as hard as in its clips ({:.0f} deg/s^2)", place(space, cell),
                 cell.blend[ProbeFigure::knee_peak] / std::max(cell.sources[ProbeFigure::knee_peak], 1.0f),
                 cell.blend[ProbeFigure::knee_peak]);
         });
@@ -140,7 +153,7 @@ void probe_legs_cross(LintContext& context, const ProbeSpace& space) {
             return cell.standing > 0 ? std::min(-own, sources - own) - depth : 0.0;
         },
         [&](const ProbeCell& cell) {
-            return fmt::format("at {} one leg passes {:.1f} cm through the other", place(space, cell),
+            return fmt::format("At {} one leg passes {:.1f} cm through the other", place(space, cell),
                                -cell.blend[ProbeFigure::leg_gap]);
         });
 }

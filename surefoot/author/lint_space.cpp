@@ -345,6 +345,8 @@ void lint_uncovered(LintContext& context, const ProjectSpace& space) {
             inner += rest % 3 == 2;
         }
         if (inner == d || (inner > 0 && d > 2)) continue;  // beyond the plane corners are enough
+        // Limits that nobody set are rounded out: their ends are beyond all clips by that alone.
+        if (!space.axes_pinned && (inner > 0 || d == 1)) continue;
         const BlendWeights nearest = blend_weights(space.space, point);
         const double distance = percent.distance(nearest.point, point);
         if (distance <= limit) continue;

@@ -66,7 +66,9 @@ TEST(lint_probe, every_rule_speaks_just_beyond_its_threshold_and_not_just_below)
         EXPECT_EQ(found[0].space, "facing");
         EXPECT_EQ(found[0].at, std::vector<float>{0.75f});
         EXPECT_EQ(found[0].clips, (std::vector<std::string>{"walk", "idle"})) << "the heaviest first";
-        EXPECT_NE(found[0].message.find("at speed 0.75 m/s"), std::string::npos) << found[0].message;
+        ASSERT_TRUE(found[0].fix);
+        EXPECT_EQ(found[0].fix->target, found[0].at);
+        EXPECT_NE(found[0].message.find("At speed 0.75 m/s"), std::string::npos) << found[0].message;
     }
 }
 

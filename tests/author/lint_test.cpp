@@ -210,6 +210,14 @@ TEST(lint, corners_beyond_ten_percent_of_the_hull_are_uncovered) {
     EXPECT_FALSE(of_rule(lint(make_plane(clean_clips(), -1.5f, 3.51f, 90)), "uncovered").empty());
 }
 
+TEST(lint, limits_that_were_only_rounded_out_have_no_uncovered_ends) {
+    // 1.65 m/s is rounded out to 2, a sixth of the range away.
+    Project project = make_project({make_clip("idle", 0, 0), make_clip("walk", 1.65f, 0)});
+    EXPECT_TRUE(of_rule(lint(project), "uncovered").empty());
+    project.spaces[0].axes_pinned = true;
+    EXPECT_EQ(of_rule(lint(project), "uncovered").size(), 1u);
+}
+
 TEST(lint, blending_opposite_travel_is_an_error) {
     const LintResult result =
         lint_clips({make_clip("walk", 1.4f, 30), make_clip("back", -1.4f, 30), make_clip("turn", 0, -90)});
