@@ -27,7 +27,7 @@ Mesh make_mannequin(const Skeleton& skeleton, const RoleMap& roles, std::span<co
 
 /// The frame with the straightest limbs where the rest pose cannot carry a skin: files without a real rest pose (BVH
 /// offsets, say) twist bones about themselves by half a turn, and a skin bound there would shrink to nothing at the
-/// joints. -1 where the rest pose is fine.
+/// joints; others rest in the middle of a run. -1 where the rest pose is fine.
 int mannequin_bind_frame(const Motion& motion, const RoleMap& roles);
 
 }  // namespace surefoot

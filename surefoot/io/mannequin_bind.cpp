@@ -22,6 +22,10 @@ constexpr std::array<Limb, 8> k_limbs = {{{Role::left_upper_leg, Role::left_lowe
                                           {Role::left_lower_arm, Role::left_hand, Role::count, 110},
                                           {Role::right_lower_arm, Role::right_hand, Role::count, 110}}};
 
+// A rest pose that bends knees and elbows by more than this in sum (as `bend` counts) is a moment of a movement: 0.25
+// is a relaxed stance, 0.6 four joints bent by 30 degrees.
+constexpr float k_bent_rest = 0.6f;
+
 /// How far `q` turns about `axis`, degrees: the twist of its swing-twist decomposition.
 float twist(Quat q, Vec3 axis) {
     const float along = q.x * axis.x + q.y * axis.y + q.z * axis.z;
@@ -59,6 +63,8 @@ int mannequin_bind_frame(const Motion& motion, const RoleMap& roles) {
         const float bent = bend(models, roles);
         if (bent < least) least = bent, straightest = f;
     }
+    local_to_model(skeleton, skeleton.rest, models);
+    if (bend(models, roles) > k_bent_rest && least < 0.5f * bend(models, roles)) return straightest;
     const auto pose = motion.frame(straightest);
     for (const Limb& limb : k_limbs) {
         if (!roles.has(limb.upper) || !roles.has(limb.lower)) continue;
