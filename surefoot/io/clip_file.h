@@ -11,6 +11,8 @@ namespace surefoot {
 struct LoadOptions {
     /// Metres per unit of the file. 0: guessed from the character's size, see io/unit_scale.h.
     double unit_scale = 0;
+    /// A skinned character without animation comes as one frame in its rest pose; else it is an error.
+    bool still = false;
 };
 
 struct LoadedClip {

@@ -181,8 +181,15 @@ void warn_of_lost_scale(const NodeScene& scene, const NodeSkeleton& picked, std:
 }  // namespace
 
 std::vector<LoadedClip> clips_from_nodes(const NodeScene& scene, const std::string& where, const LoadOptions& options) {
-    if (scene.clips.empty())
-        throw Error("the file has no animation", where, "export it with its animation, or name another file");
+    if (scene.clips.empty()) {
+        if (!options.still || scene.skins.empty())
+            throw Error("the file has no animation", where, "export it with its animation, or name another file");
+        NodeScene still = scene;
+        NodeClip& pose = still.clips.emplace_back();
+        pose.fps = 30;
+        pose.frames = 1;
+        return clips_from_nodes(still, where, options);
+    }
     std::vector<std::string> warnings = scene.warnings;
     const NodeSkeleton picked = pick_skeleton(scene, where, warnings);
     const bool rigid = is_rigid(scene, picked);
@@ -197,7 +204,8 @@ std::vector<LoadedClip> clips_from_nodes(const NodeScene& scene, const std::stri
         clip.file = where;
         clip.warnings = warnings;
         clip.extras = source.extras;
-        if (clip.motion.frame_count() == 1) clip.warnings.push_back("only one frame: a pose, not a motion");
+        if (clip.motion.frame_count() == 1 && !source.tracks.empty())
+            clip.warnings.push_back("only one frame: a pose, not a motion");
         if (std::string text = problem(clip.motion); !text.empty())
             throw Error(text, where + "#" + source.name, "export the clip again");
     }
