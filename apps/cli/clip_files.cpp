@@ -83,9 +83,9 @@ std::string as_glb(const std::vector<LoadedClip>& clips, const std::string& file
 
 }  // namespace
 
-std::vector<LoadedClip> read_clip_files(const std::string& path, double unit_scale) {
+std::vector<LoadedClip> read_clip_files(const std::string& path, const LoadOptions& options) {
     const std::string paths[] = {path};
-    LoadResult loaded = load_clips(paths, {unit_scale});
+    LoadResult loaded = load_clips(paths, options);
     if (loaded.clips.empty() && loaded.failed.size() == 1) throw Error(loaded.failed.front().error, {}, {});
     for (const LoadFailure& failure : loaded.failed) fmt::print(stderr, "surefoot: {}\n", failure.error);
     if (loaded.clips.empty()) throw Error("there are no clips in it", path, "give a .bvh, .glb, .gltf or .fbx file");

@@ -10,7 +10,7 @@ namespace surefoot::cli {
 
 /// The clips of a file or folder. Files that cannot be read and warnings are told on standard error; the rest go on.
 /// Throws Error where nothing is left.
-std::vector<LoadedClip> read_clip_files(const std::string& path, double unit_scale = 0);
+std::vector<LoadedClip> read_clip_files(const std::string& path, const LoadOptions& options = {});
 
 struct WriteOptions {
     std::string rotation_order;  ///< of a BVH; empty: that of the file the clip came from

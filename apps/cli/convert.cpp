@@ -18,7 +18,7 @@ struct Options {
 
 int run(const Options& options) {
     check_clip_output(options.out);
-    write_clip_file(read_clip_files(options.in, options.unit_scale), options.out, {options.order, options.mesh});
+    write_clip_file(read_clip_files(options.in, {options.unit_scale}), options.out, {options.order, options.mesh});
     return 0;
 }
 

@@ -82,6 +82,21 @@ TEST_F(Load, the_unit_can_be_given) {
     EXPECT_FLOAT_EQ(inches.clips.at(0).unit_scale, 0.0254f);
 }
 
+TEST(LoadReal, a_character_without_animation_is_one_frame_in_its_rest_pose_where_that_is_asked_for) {
+    SUREFOOT_NEED_MOTION_DATA(folder);
+    const std::string paths[] = {(folder / "characters_glb/m2m_human_male.glb").string()};
+    LoadOptions options;
+    options.still = true;
+    const LoadResult result = load_clips(paths, options);
+    ASSERT_EQ(result.clips.size(), 1u);
+    const Motion& motion = result.clips[0].motion;
+    EXPECT_EQ(motion.name, "m2m_human_male");
+    EXPECT_EQ(motion.frame_count(), 1);
+    EXPECT_GT(motion.joint_count(), 20);
+    EXPECT_EQ(motion.locals, motion.skeleton->rest);
+    EXPECT_TRUE(result.clips[0].warnings.empty()) << result.clips[0].warnings[0];
+}
+
 TEST(LoadReal, every_real_file_is_read_or_says_why_not_whatever_the_threads) {
     SUREFOOT_NEED_MOTION_DATA(folder);
     std::vector<std::string> paths;
