@@ -1,5 +1,6 @@
 // surefoot author CLIPS... -o DIR: from clips to a placed, triangulated, linted blend space with a report.
 
+#include "actor.h"
 #include "command.h"
 
 #include <surefoot/analysis/analyze.h>
@@ -21,10 +22,10 @@ namespace {
 
 struct Options {
     std::vector<std::string> clips;
-    std::string folder, name;
+    std::string folder, name, skeleton;
     std::vector<std::string> axes, styles, upper_styles;
     double unit_scale = 0;
-    bool strict = false, use_default = false, no_mannequin = false, json = false, probe = false;
+    bool strict = false, use_default = false, no_mannequin = false, no_retarget = false, json = false, probe = false;
     int grid = 0, probe_grid = 0;
 };
 
@@ -103,6 +104,8 @@ int run(const Options& options) {
     author.mannequin = !options.no_mannequin;
     author.grid = options.grid;
     author.probe = make_probe(options);
+    author.retarget = !options.no_retarget;
+    if (!options.skeleton.empty()) author.actor = read_actor(options.skeleton);
     const AuthorResult result = options.clips.empty() ? author_motions(make_default_set().clips, options.folder, author)
                                                       : author_clips(options.clips, options.folder, author);
     for (const std::string& failure : result.failed) fmt::print(stderr, "surefoot: {}\n", failure);
@@ -143,6 +146,10 @@ const Command k_author{
         app.add_option("--unit-scale", options->unit_scale, "metres per unit of the files (default: guessed)")
             ->check(CLI::Range(1e-9, 1e9))
             ->check(is_number);
+        app.add_option("--skeleton", options->skeleton,
+                       "whose skeleton the space uses: a clip or character, or `default` (else: that which most clips "
+                       "share, the first of equals); clips of others are retargeted to it");
+        app.add_flag("--no-retarget", options->no_retarget, "leave clips of other skeletons out");
         app.add_flag("--no-mannequin", options->no_mannequin, "write the clips without a body");
         app.add_flag("--strict", options->strict, "exit with 2 where a clip could not be read");
         app.add_option("--grid", options->grid, "snap samples to an engine's grid of that many divisions an axis")

@@ -144,8 +144,10 @@ AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const 
     RoleOverrides overrides = options.role_overrides;
     if (before) overrides.insert(overrides.begin(), before->role_overrides.begin(), before->role_overrides.end());
 
-    Gathered gathered = gather(std::move(clips), overrides);
+    Gathered gathered = gather(std::move(clips), overrides,
+                               {options.retarget, options.actor});
     for (std::string& failure : gathered.failed) result.failed.push_back(std::move(failure));
+    for (std::string& warning : gathered.warnings) result.warnings.push_back(std::move(warning));
 
     Project& project = result.project;
     project.name = !options.name.empty() ? options.name : before ? before->name : title_of(folder);

@@ -3,11 +3,13 @@
 
 #include <surefoot/author/clip_figures.h>
 #include <surefoot/author/project.h>
+#include <surefoot/author/retarget_clips.h>
 #include <surefoot/author/snap_grid.h>
 
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,9 +40,13 @@ struct AuthorOptions {
     /// Axis pairs to build, as "speed,turn" or "forward,lateral"; empty: as many spaces as the clips need.
     std::vector<std::string> axes;
     std::vector<StyleOption> styles;  ///< the first whose pattern fits a clip's name has it
-    bool mannequin = true;            ///< clips are written with a skinned mannequin
-    int grid = 0;      ///< divisions of an engine's grid that samples are moved to (snap_grid.h); 0: none
-    SpaceProbe probe;  ///< measures the placed spaces, for findings and report; none: not probed
+    /// Clips of other skeletons are retargeted to the one in use; else they are left out.
+    bool retarget = true;
+    /// Whose skeleton the space uses; none: that which most clips share, the first of equals.
+    std::optional<Actor> actor;
+    bool mannequin = true;  ///< clips are written with a skinned mannequin
+    int grid = 0;           ///< divisions of an engine's grid that samples are moved to (snap_grid.h); 0: none
+    SpaceProbe probe;       ///< measures the placed spaces, for findings and report; none: not probed
 };
 
 struct AuthorResult {

@@ -1,5 +1,6 @@
 #include <surefoot/analysis/take.h>
 #include <surefoot/author/gather.h>
+#include <surefoot/author/one_skeleton.h>
 #include <surefoot/author/place.h>
 #include <surefoot/author/pose_distance.h>
 #include <surefoot/base/error.h>
@@ -23,18 +24,6 @@ struct Measured {
     std::string failed;
     bool searched = false;  // for cycles
 };
-
-ProjectClip left_out(const AnalyzedClip& clip, std::string reason) {
-    ProjectClip result;
-    result.name = clip.facts.name;
-    result.facts = clip.facts;
-    result.source = clip.source;
-    result.source_first = clip.source_first;
-    result.source_last = clip.source_last;
-    result.excluded = true;
-    result.reason = std::move(reason);
-    return result;
-}
 
 std::string closing_text(const ClipFacts& facts) {
     return fmt::format("loop closed (seam {:.1f} cm, no joint moved by more than {:.1f} cm)", 100 * facts.seam,
@@ -93,37 +82,6 @@ Measured measure(LoadedClip loaded, const RoleOverrides& overrides) {
         result.failed = error.what();
     }
     return result;
-}
-
-/// Leaves one skeleton: that of most clips, the first of equals.
-void keep_one_skeleton(Gathered& gathered) {
-    std::vector<const Skeleton*> skeletons;
-    std::vector<std::size_t> of, count;
-    for (const Candidate& candidate : gathered.kept) {
-        const Skeleton* skeleton = candidate.clip.motion.skeleton.get();
-        std::size_t n = 0;
-        while (n < skeletons.size() && skeletons[n] != skeleton && !(*skeletons[n] == *skeleton)) ++n;
-        if (n == skeletons.size()) skeletons.push_back(skeleton), count.push_back(0);
-        of.push_back(n);
-        ++count[n];
-    }
-    if (skeletons.size() < 2) return;
-    const auto most = static_cast<std::size_t>(std::max_element(count.begin(), count.end()) - count.begin());
-    std::vector<Candidate> kept;
-    for (std::size_t i = 0; i < gathered.kept.size(); ++i) {
-        if (of[i] == most) {
-            kept.push_back(std::move(gathered.kept[i]));
-            continue;
-        }
-        const Skeleton &own = *skeletons[of[i]], &chosen = *skeletons[most];
-        gathered.left_out.push_back(left_out(
-            gathered.kept[i].clip,
-            own.names == chosen.names
-                ? fmt::format("its skeleton has other bone lengths than that of the {} clips in use", count[most])
-                : fmt::format("it moves another skeleton ({} joints) than the {} clips in use ({} joints)",
-                              own.joint_count(), count[most], chosen.joint_count())));
-    }
-    gathered.kept = std::move(kept);
 }
 
 /// Percent of an axis' range below which a cycle cut from a take adds nothing to one that loops better.
@@ -255,7 +213,19 @@ void name_clips(Gathered& gathered) {
 
 }  // namespace
 
-Gathered gather(std::vector<LoadedClip> clips, const RoleOverrides& overrides) {
+ProjectClip left_out(const AnalyzedClip& clip, std::string reason) {
+    ProjectClip result;
+    result.name = clip.facts.name;
+    result.facts = clip.facts;
+    result.source = clip.source;
+    result.source_first = clip.source_first;
+    result.source_last = clip.source_last;
+    result.excluded = true;
+    result.reason = std::move(reason);
+    return result;
+}
+
+Gathered gather(std::vector<LoadedClip> clips, const RoleOverrides& overrides, const GatherOptions& options) {
     std::vector<Measured> measured(clips.size());
     {
         Progress progress("measuring", clips.size());
@@ -275,7 +245,7 @@ Gathered gather(std::vector<LoadedClip> clips, const RoleOverrides& overrides) {
         std::move(one.left_out.begin(), one.left_out.end(), std::back_inserter(gathered.left_out));
         if (!one.failed.empty()) gathered.failed.push_back(one.failed);
     }
-    keep_one_skeleton(gathered);
+    keep_one_skeleton(gathered, options);
     name_clips(gathered);
     thin_cycles(gathered);
     keep_one_idle(gathered);

@@ -4,8 +4,10 @@
 
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/author/project.h>
+#include <surefoot/author/retarget_clips.h>
 #include <surefoot/io/load.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,13 +23,23 @@ struct Gathered {
     std::vector<Candidate> kept;        ///< in order of name
     std::vector<ProjectClip> left_out;  ///< with reasons, in order of name
     std::vector<std::string> failed;    ///< clips that could not be measured
+    std::vector<std::string> warnings;  ///< what was done that the user may not expect
     int takes = 0;                      ///< clips that were searched for cycles
     int takes_with_cycles = 0;
     int cycles = 0;  ///< found in them, before any was left out
 };
 
-/// Measures clips (in parallel), cuts takes into cycles, drops what is not locomotion, keeps the skeleton that most
-/// clips share, thins cycles of takes that do nearly the same, and makes names unique.
-Gathered gather(std::vector<LoadedClip> clips, const RoleOverrides& overrides);
+struct GatherOptions {
+    bool retarget = true;  ///< clips of other skeletons are put onto the one in use; else they are left out
+    /// Whose skeleton is used; none: that which most clips share, the first of equals.
+    std::optional<Actor> actor;
+};
+
+/// Measures clips (in parallel), cuts takes into cycles, drops what is not locomotion, brings all to one skeleton, thins
+/// cycles of takes that do nearly the same, and makes names unique.
+Gathered gather(std::vector<LoadedClip> clips, const RoleOverrides& overrides, const GatherOptions& options = {});
+
+/// A clip that has no place in any space, and why.
+ProjectClip left_out(const AnalyzedClip& clip, std::string reason);
 
 }  // namespace surefoot
