@@ -127,7 +127,7 @@ void write_clips(const fs::path& folder, const Project& project, const std::vect
         mesh = make_mannequin(first.motion, first.roles.roles, first.legs);
     }
     parallel_for(kept.size(), [&](std::size_t i) {
-        write_file(folder / project.clips[i].file, clip_glb(project.clips[i], kept[i].clip.motion, mesh));
+        update_file(folder / project.clips[i].file, clip_glb(project.clips[i], kept[i].clip.motion, mesh));
     });
 }
 
@@ -145,7 +145,7 @@ AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const 
     if (before) overrides.insert(overrides.begin(), before->role_overrides.begin(), before->role_overrides.end());
 
     Gathered gathered = gather(std::move(clips), overrides,
-                               {options.retarget, options.actor});
+                               {options.retarget, options.actor, options.cache ? folder / ".cache" : fs::path()});
     for (std::string& failure : gathered.failed) result.failed.push_back(std::move(failure));
     for (std::string& warning : gathered.warnings) result.warnings.push_back(std::move(warning));
 
@@ -197,7 +197,7 @@ AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const 
     std::vector<const AnalyzedClip*> analyzed;
     for (const Candidate& candidate : gathered.kept) analyzed.push_back(&candidate.clip);
     result.figures = make_clip_figures(project, analyzed);
-    write_file(result.report_file, report_html(project, {result.failed, result.warnings, &result.figures}));
+    update_file(result.report_file, report_html(project, {result.failed, result.warnings, &result.figures}));
     result.project_file = folder / "project.json";
     save_project(result.project_file, project);
     if (before) remove_stale_clips(folder, *before, project);

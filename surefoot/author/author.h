@@ -44,6 +44,8 @@ struct AuthorOptions {
     bool retarget = true;
     /// Whose skeleton the space uses; none: that which most clips share, the first of equals.
     std::optional<Actor> actor;
+    /// Measurements are kept in folder/.cache for the next run, which may be deleted at any time.
+    bool cache = true;
     bool mannequin = true;  ///< clips are written with a skinned mannequin
     int grid = 0;           ///< divisions of an engine's grid that samples are moved to (snap_grid.h); 0: none
     SpaceProbe probe;       ///< measures the placed spaces, for findings and report; none: not probed

@@ -1,5 +1,6 @@
 #include <surefoot/analysis/take.h>
 #include <surefoot/author/gather.h>
+#include <surefoot/author/measured_clip.h>
 #include <surefoot/author/one_skeleton.h>
 #include <surefoot/author/place.h>
 #include <surefoot/author/pose_distance.h>
@@ -16,14 +17,6 @@
 
 namespace surefoot {
 namespace {
-
-/// What came of one loaded clip.
-struct Measured {
-    std::vector<Candidate> kept;
-    std::vector<ProjectClip> left_out;
-    std::string failed;
-    bool searched = false;  // for cycles
-};
 
 std::string closing_text(const ClipFacts& facts) {
     return fmt::format("loop closed (seam {:.1f} cm, no joint moved by more than {:.1f} cm)", 100 * facts.seam,
@@ -43,8 +36,8 @@ void close(Candidate& candidate) {
     candidate.provenance.push_back(closing_text(facts));
 }
 
-Measured measure(LoadedClip loaded, const RoleOverrides& overrides) {
-    Measured result;
+MeasuredClip measure(LoadedClip loaded, const RoleOverrides& overrides) {
+    MeasuredClip result;
     try {
         AnalyzedClip clip = analyze_clip(std::move(loaded.motion), loaded.file, loaded.unit_scale, overrides);
         clip.facts.warnings.insert(clip.facts.warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
@@ -81,6 +74,18 @@ Measured measure(LoadedClip loaded, const RoleOverrides& overrides) {
     } catch (const Error& error) {
         result.failed = error.what();
     }
+    return result;
+}
+
+/// The same, or what an earlier run found.
+MeasuredClip measure(LoadedClip loaded, const RoleOverrides& overrides, ResultCache& cache) {
+    if (!cache.enabled()) return measure(std::move(loaded), overrides);
+    const CacheKey key = cache_key(cache, loaded, overrides);
+    if (const std::optional<std::string> known = cache.find(key))
+        if (std::optional<MeasuredClip> result = measured_from_bytes(*known, loaded.motion.skeleton))
+            return std::move(*result);
+    MeasuredClip result = measure(std::move(loaded), overrides);
+    cache.store(key, to_bytes(result));
     return result;
 }
 
@@ -226,16 +231,18 @@ ProjectClip left_out(const AnalyzedClip& clip, std::string reason) {
 }
 
 Gathered gather(std::vector<LoadedClip> clips, const RoleOverrides& overrides, const GatherOptions& options) {
-    std::vector<Measured> measured(clips.size());
+    std::vector<MeasuredClip> measured(clips.size());
     {
+        ResultCache cache(options.cache);
         Progress progress("measuring", clips.size());
         parallel_for(clips.size(), [&](std::size_t i) {
-            measured[i] = measure(std::move(clips[i]), overrides);
+            measured[i] = measure(std::move(clips[i]), overrides, cache);
             progress.advance();
         });
+        cache.remove_unused();
     }
     Gathered gathered;
-    for (Measured& one : measured) {
+    for (MeasuredClip& one : measured) {
         if (one.searched) {
             ++gathered.takes;
             gathered.takes_with_cycles += !one.kept.empty();

@@ -7,6 +7,7 @@
 #include <surefoot/author/retarget_clips.h>
 #include <surefoot/io/load.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,10 +34,12 @@ struct GatherOptions {
     bool retarget = true;  ///< clips of other skeletons are put onto the one in use; else they are left out
     /// Whose skeleton is used; none: that which most clips share, the first of equals.
     std::optional<Actor> actor;
+    /// Folder in which measurements are kept for the next run (author/result_cache.h); empty: nowhere.
+    std::filesystem::path cache;
 };
 
-/// Measures clips (in parallel), cuts takes into cycles, drops what is not locomotion, brings all to one skeleton, thins
-/// cycles of takes that do nearly the same, and makes names unique.
+/// Measures clips (in parallel), cuts takes into cycles, drops what is not locomotion, brings all to one skeleton,
+/// thins cycles of takes that do nearly the same, and makes names unique.
 Gathered gather(std::vector<LoadedClip> clips, const RoleOverrides& overrides, const GatherOptions& options = {});
 
 /// A clip that has no place in any space, and why.

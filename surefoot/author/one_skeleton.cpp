@@ -106,10 +106,12 @@ void keep_one_skeleton(Gathered& gathered, const GatherOptions& options) {
     }
     gathered.kept = std::move(kept);
     if (!moved.empty())
-        gathered.warnings.push_back(fmt::format("{} {} of {} other {} retargeted to the skeleton of {} ({} joints): {}",
-                                                moved.size(), moved.size() == 1 ? "clip" : "clips", skeletons,
-                                                skeletons == 1 ? "skeleton was" : "skeletons were", target.name,
-                                                target.body.skeleton->joint_count(), listed(moved)));
+        gathered.warnings.push_back(
+            fmt::format("{} of {} retargeted to the skeleton of {} ({} joints): {}",
+                        moved.size() == 1 ? "1 clip" : fmt::format("{} clips", moved.size()),
+                        (skeletons == 1 ? "another skeleton" : fmt::format("{} other skeletons", skeletons)) +
+                            (moved.size() == 1 ? " was" : " were"),
+                        target.name, target.body.skeleton->joint_count(), listed(moved)));
 }
 
 }  // namespace surefoot

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <memory>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace surefoot {
@@ -99,7 +100,7 @@ std::string read_file(const fs::path& path, std::size_t limit) {
     return bytes;
 }
 
-void write_file(const fs::path& path, std::string_view bytes) {
+void write_file(const fs::path& path, std::string_view bytes, Durability durability) {
     std::error_code code;
     const auto fail = [&](const std::string& why) {
         throw Error("cannot be written: " + why, path.string(),
@@ -121,13 +122,31 @@ void write_file(const fs::path& path, std::string_view bytes) {
             temporary.path.clear();
             fail(why);
         }
-        const bool written = write_all(file, bytes) && fsync(fileno(file.get())) == 0;
+        const bool written =
+            write_all(file, bytes) && (durability == Durability::may_be_lost || fsync(fileno(file.get())) == 0);
         const std::string why = std::strerror(errno);
         if (std::fclose(file.release()) != 0 || !written) fail(why);
     }
     fs::rename(temporary.path, path, code);
     if (code) fail(code.message());
     temporary.path.clear();
+}
+
+void update_file(const fs::path& path, std::string_view bytes) {
+    std::error_code code;
+    if (fs::is_regular_file(path, code) && fs::file_size(path, code) == bytes.size() && !code) try {
+            if (read_file(path) == bytes) return;
+        } catch (const Error&) {
+            // Writing will say what is wrong, if anything is.
+        }
+    write_file(path, bytes);
+}
+
+std::string program_stamp() {
+    struct stat status {};
+    if (stat("/proc/self/exe", &status) != 0) return {};
+    return std::to_string(status.st_size) + "." + std::to_string(status.st_mtim.tv_sec) + "." +
+           std::to_string(status.st_mtim.tv_nsec);
 }
 
 void remove_temporaries_on_signals() {

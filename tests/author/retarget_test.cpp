@@ -201,7 +201,8 @@ float stretching(const AnalyzedClip& clip) {
     for (int f = 0; f < clip.motion.frame_count(); ++f)
         for (int j = 0; j < skeleton.joint_count(); ++j)
             if (j != hips && is_within(skeleton, j, hips))
-                most = std::max(most, distance(clip.motion.frame(f)[at(j)].translation, skeleton.rest[at(j)].translation));
+                most =
+                    std::max(most, distance(clip.motion.frame(f)[at(j)].translation, skeleton.rest[at(j)].translation));
     return most;
 }
 
@@ -231,7 +232,8 @@ TEST(retargeted_clips, return_from_any_other_rig_within_three_centimetres_on_ave
             const Actor own = actor_of(source), other = actor_of(target);
             const AnalyzedClip back = retargeted(retargeted(source, own, other), other, own);
             const float error = mean_distance(source.motion, back.motion, source.roles.roles, target.roles.roles);
-            std::printf("  %-30s and back: %.2f cm\n", (from + " -> " + to).c_str(), 100.0 * static_cast<double>(error));
+            std::printf("  %-30s and back: %.2f cm\n", (from + " -> " + to).c_str(),
+                        100.0 * static_cast<double>(error));
             // Feet that are short for a sprint's strides let the hips sink on the way, which does not come back.
             EXPECT_LT(error, from == "ual1 sprint" ? 0.06f : 0.03f) << from << " -> " << to;
         }
