@@ -4,11 +4,9 @@
 #include "clip_files.h"
 #include "command.h"
 
-#include <surefoot/analysis/footing.h>
 #include <surefoot/base/error.h>
 #include <surefoot/host/parallel.h>
 #include <surefoot/io/clip_extras.h>
-#include <surefoot/motion/root_motion.h>
 
 #include <fmt/format.h>
 
@@ -22,12 +20,6 @@ struct Options {
     std::vector<std::string> roles, to_roles;
 };
 
-/// Brings the ground under a clip to height 0, where its character stands.
-void ground(Motion& motion, const RoleMap& roles) {
-    const Footing footing = find_footing(motion, roles, make_tracks(motion, roles));
-    if (footing.floor != 0) shift_pose(motion, roles, {0, -footing.floor, 0});
-}
-
 int run(const Options& options) {
     check_clip_output(options.out);
     const Actor target = read_actor(options.to, parse_roles(options.to_roles, "--to-roles"));
@@ -40,7 +32,8 @@ int run(const Options& options) {
         if (!(*motion.skeleton == *source.body.skeleton))
             throw Error("it moves another skeleton than the first clip", clips[i].file,
                         "retarget one character's clips at a time: IN#NAME picks one");
-        ground(motion, source.body.roles);
+        const RoleMap& joints = source.body.roles;
+        bring_to_ground(motion, source.body, find_footing(motion, joints, make_tracks(motion, joints)));
         motion = retarget(motion, source.body, target.body, {}, &reports[i]);
         clips[i].rotation_order.clear();
         ClipEdit done;

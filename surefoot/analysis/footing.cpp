@@ -12,7 +12,7 @@ constexpr float k_lowest_layer = 0.12f;    // of the leg's length: a toe tip dip
 constexpr float k_own_ground = 0.05f;      // [m] soles of a skinned rig this near to y = 0 stand on y = 0
 constexpr float k_sole_thickness = 0.05f;  // [m] toe joints of skinned rigs stand up to this above the floor at y = 0
 
-constexpr float k_feet_alike = 1.3f;  // one foot's ankle stands at most this much higher than the other's
+constexpr float k_feet_alike = 1.5f;  // one foot's ankle stands at most this much higher than the other's
 
 std::vector<Transform> rest_models(const Skeleton& skeleton) {
     std::vector<Transform> models(skeleton.rest.size());
@@ -76,37 +76,6 @@ int flattest_frame(const FootTrack& foot, float fps) {
     return static_cast<int>(best);
 }
 
-/// The frame that comes nearest to a foot on the ground at `ground` whose ankle stands `ankle_above` it.
-int frame_of_stance(const FootTrack& foot, float ground, float ankle_above) {
-    std::size_t best = 0;
-    float best_cost = 1e30f;
-    for (std::size_t f = 0; f < foot.foot.size(); ++f) {
-        const float above = foot.foot[f].translation.y - foot.lowest[f];
-        const float cost = std::fabs(foot.lowest[f] - ground) + std::fabs(above - ankle_above);
-        if (cost < best_cost) best = f, best_cost = cost;
-    }
-    return static_cast<int>(best);
-}
-
-/// The flattest frame of each foot. In a run one foot may spend more time at one height in the air than on the ground,
-/// and is then taken for standing on its toes there: feet are alike, so it is told by the other one, whose ankle is
-/// lower.
-std::array<int, 2> flattest_frames(const Tracks& tracks) {
-    std::array<int, 2> frames{};
-    std::array<float, 2> ground{}, above{};
-    for (std::size_t s = 0; s < 2; ++s) {
-        const FootTrack& foot = tracks.foot[s];
-        frames[s] = flattest_frame(foot, tracks.fps);
-        const auto f = static_cast<std::size_t>(frames[s]);
-        ground[s] = foot.lowest[f];
-        above[s] = foot.foot[f].translation.y - ground[s];
-    }
-    const std::size_t good = above[0] <= above[1] ? 0 : 1, other = 1 - good;
-    if (above[other] > k_feet_alike * above[good] + k_floor_band)
-        frames[other] = frame_of_stance(tracks.foot[other], ground[good], above[good]);
-    return frames;
-}
-
 /// The level on which soles spend most of their time, sought in the lowest layer so that a run, whose feet are longer
 /// in the air than on the ground, has its ground there, too.
 float floor_level(const std::vector<float>& heights, float leg_length) {
@@ -124,7 +93,23 @@ std::vector<float> lowest_sole(const FootTrack& foot) {
     return low;
 }
 
+std::vector<float> sole_heights(const Tracks& tracks) {
+    std::vector<float> heights;
+    for (const FootTrack& foot : tracks.foot) {
+        const std::vector<float> low = lowest_sole(foot);
+        heights.insert(heights.end(), low.begin(), low.end());
+    }
+    return heights;
+}
+
 }  // namespace
+
+float floor_under(const Motion& motion, const RoleMap& roles, const Legs& legs) {
+    Tracks tracks = make_tracks(motion, roles);
+    add_soles(tracks, legs);
+    const float floor = floor_level(sole_heights(tracks), legs.side[0].length());
+    return std::fabs(floor) < k_floor_band ? 0 : floor;
+}
 
 Footing find_footing(const Motion& motion, const RoleMap& roles, const Tracks& tracks) {
     Footing footing;
@@ -136,20 +121,16 @@ Footing find_footing(const Motion& motion, const RoleMap& roles, const Tracks& t
         footing.legs = make_legs(skeleton, roles, models, rest_floor);
         Tracks soles = tracks;
         add_soles(soles, footing.legs);
-        std::vector<float> heights;
-        for (const FootTrack& foot : soles.foot) {
-            const std::vector<float> low = lowest_sole(foot);
-            heights.insert(heights.end(), low.begin(), low.end());
-        }
+        const std::vector<float> heights = sole_heights(soles);
         footing.floor = floor_level(heights, footing.legs.side[0].length());
         if (std::fabs(percentile(heights, 0.03f)) < k_own_ground) footing.floor = 0;
     } else {
         std::vector<float> heights;
         for (const FootTrack& foot : tracks.foot) heights.insert(heights.end(), foot.lowest.begin(), foot.lowest.end());
-        const std::array<int, 2> frames = flattest_frames(tracks);
         for (std::size_t s = 0; s < 2; ++s) {
-            world_pose(motion, frames[s], models);
-            const float own_floor = tracks.foot[s].lowest[static_cast<std::size_t>(frames[s])];
+            const int frame = flattest_frame(tracks.foot[s], tracks.fps);
+            world_pose(motion, frame, models);
+            const float own_floor = tracks.foot[s].lowest[static_cast<std::size_t>(frame)];
             const Legs legs = make_legs(skeleton, roles, models, own_floor);
             footing.legs.hips = legs.hips;
             footing.legs.side[s] = legs.side[s];
@@ -158,6 +139,33 @@ Footing find_footing(const Motion& motion, const RoleMap& roles, const Tracks& t
     }
     if (std::fabs(footing.floor) < k_floor_band) footing.floor = 0;
     return footing;
+}
+
+Legs matched_soles(const Motion& motion, const RoleMap& roles, const Legs& legs) {
+    const auto ankle = [](const Leg& leg) { return -dot(leg.ball, leg.up); };
+    const std::size_t good = ankle(legs.side[0]) <= ankle(legs.side[1]) ? 0 : 1, other = 1 - good;
+    const Leg& flat = legs.side[good];
+    if (ankle(legs.side[other]) <= k_feet_alike * ankle(flat) + 0.01f * flat.length()) return legs;
+    const Tracks tracks = make_tracks(motion, roles);
+    // Where the good foot lies as flat as it was when it was measured, it is on the ground.
+    float ground = 0, most_upright = -2;
+    for (std::size_t f = 0; f < tracks.foot[good].foot.size(); ++f) {
+        const float upright = rotate(tracks.foot[good].foot[f].rotation, flat.up).y;
+        if (upright > most_upright) most_upright = upright, ground = tracks.foot[good].lowest[f];
+    }
+    const FootTrack& foot = tracks.foot[other];
+    std::size_t best = 0;
+    float best_cost = 1e30f;
+    for (std::size_t f = 0; f < foot.foot.size(); ++f) {
+        const float above = foot.foot[f].translation.y - foot.lowest[f];
+        const float cost = std::fabs(foot.lowest[f] - ground) + std::fabs(above - ankle(flat));
+        if (cost < best_cost) best = f, best_cost = cost;
+    }
+    std::vector<Transform> models(motion.skeleton->rest.size());
+    world_pose(motion, static_cast<int>(best), models);
+    Legs matched = legs;
+    matched.side[other] = make_leg(*motion.skeleton, roles, static_cast<Side>(other), models, foot.lowest[best]);
+    return matched;
 }
 
 }  // namespace surefoot

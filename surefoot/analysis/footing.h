@@ -17,4 +17,13 @@ struct Footing {
 /// 1.5 cm of y = 0 is y = 0.
 Footing find_footing(const Motion& motion, const RoleMap& roles, const Tracks& tracks);
 
+/// The floor [m] as given soles show it, found like that of find_footing.
+float floor_under(const Motion& motion, const RoleMap& roles, const Legs& legs);
+
+/// Soles that are alike on both feet. A foot of a short clip may never lie flat, or spend more time at one height in
+/// the air than on the ground, and is then taken for standing there on its toes. Where one ankle stands half as high
+/// again as the other, that foot is measured anew in the frame in which it stands most like the lower one. Else `legs`
+/// come back as they are.
+Legs matched_soles(const Motion& motion, const RoleMap& roles, const Legs& legs);
+
 }  // namespace surefoot

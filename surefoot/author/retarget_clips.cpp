@@ -3,6 +3,7 @@
 #include <surefoot/author/retarget_clips.h>
 #include <surefoot/host/parallel.h>
 #include <surefoot/io/mannequin.h>
+#include <surefoot/motion/root_motion.h>
 
 #include <algorithm>
 
@@ -18,10 +19,17 @@ std::string renamed(const ClipFacts& before, float leg_before, const ClipFacts& 
     return before.name;
 }
 
+bool same_soles(const Legs& a, const Legs& b) {
+    for (std::size_t s = 0; s < 2; ++s)
+        if (a.side[s].ball != b.side[s].ball || a.side[s].heel != b.side[s].heel) return false;
+    return true;
+}
+
 }  // namespace
 
 Actor actor_of(const AnalyzedClip& clip) {
-    Actor result{{clip.motion.skeleton, clip.roles.roles, clip.legs, {}}, clip.roles, clip.source};
+    const Legs legs = matched_soles(clip.motion, clip.roles.roles, clip.legs);
+    Actor result{{clip.motion.skeleton, clip.roles.roles, legs, {}}, clip.roles, clip.source};
     const int frame = mannequin_bind_frame(clip.motion, clip.roles.roles);
     if (frame >= 0) {
         result.body.shape.resize(clip.motion.skeleton->rest.size());
@@ -37,7 +45,7 @@ Actor actor_of(std::span<const AnalyzedClip* const> clips) {
         return std::fabs(clip->facts.speed) + (clip->facts.locomotion ? 0 : k_never_flat);
     };
     return actor_of(**std::min_element(clips.begin(), clips.end(),
-                                           [&](const auto* a, const auto* b) { return unrest(a) < unrest(b); }));
+                                       [&](const auto* a, const auto* b) { return unrest(a) < unrest(b); }));
 }
 
 Actor actor_in(std::span<const LoadedClip> clips, const RoleOverrides& overrides) {
@@ -52,10 +60,17 @@ Actor actor_in(std::span<const LoadedClip> clips, const RoleOverrides& overrides
     return actor_of(seen);
 }
 
-AnalyzedClip retargeted(const AnalyzedClip& clip, const Actor& source, const Actor& target,
-                        RetargetReport* report) {
+void bring_to_ground(Motion& motion, const RetargetBody& body, const Footing& footing) {
+    const float floor =
+        same_soles(footing.legs, body.legs) ? footing.floor : floor_under(motion, body.roles, body.legs);
+    if (floor != 0) shift_pose(motion, body.roles, {0, -floor, 0});
+}
+
+AnalyzedClip retargeted(const AnalyzedClip& clip, const Actor& source, const Actor& target, RetargetReport* report) {
     AnalyzedClip result = clip;
-    result.motion = retarget(clip.motion, source.body, target.body, {}, report);
+    Motion grounded = clip.motion;
+    bring_to_ground(grounded, source.body, {clip.legs, 0, false});
+    result.motion = retarget(grounded, source.body, target.body, {}, report);
     result.roles = target.roles;
     result.legs = target.body.legs;
     ClipFacts& facts = result.facts;

@@ -2,6 +2,7 @@
 // Retargeting measured clips: what motion/retarget.h needs of a character is found in its clips.
 
 #include <surefoot/analysis/analyze.h>
+#include <surefoot/analysis/footing.h>
 #include <surefoot/io/load.h>
 #include <surefoot/motion/retarget.h>
 
@@ -28,6 +29,10 @@ Actor actor_of(std::span<const AnalyzedClip* const> clips);
 /// The character of loaded clips: of the first one, as seen in all that share its skeleton. Needs at least one; throws
 /// Error as analyze_clip does.
 Actor actor_in(std::span<const LoadedClip> clips, const RoleOverrides& overrides = {});
+
+/// Moves a clip up or down so that the soles of `body` stand on y = 0; by less than 1.5 cm it is left alone. `footing`
+/// is what the clip itself shows (analysis/footing.h): its floor holds where its soles are the body's.
+void bring_to_ground(Motion& motion, const RetargetBody& body, const Footing& footing);
 
 /// The clip of `source` on another character, measured anew: facts, roles, legs and motion are those of the result; its
 /// source and what the clip was found to be (in place, locomotion, its seam before closing) stay. A cycle that was
