@@ -126,6 +126,13 @@ void set_travel(ClipFacts& facts, float forward, float lateral) {
     facts.speed = std::fabs(facts.travel) > 90 ? -planar : planar;
 }
 
+StanceFlags stance_flags(const ClipFacts& facts) {
+    StanceFlags flags;
+    for (std::size_t side = 0; side < 2; ++side)
+        for (const Contact contact : facts.contacts[side]) flags[side].push_back(contact != Contact::lifted);
+    return flags;
+}
+
 Measured measure(const Motion& motion, const RoleMap& roles, const Legs& legs, ClipFacts& facts) {
     Measured measured;
     measured.tracks = make_tracks(motion, roles);

@@ -85,23 +85,13 @@ void place_colvin(const FootRig& rig, const FootInput& input, const GroundProbe&
 
 // --- mode surefoot
 
-/// Rotation about the toe joint that lifts the tip of `toe` (joint to tip) by `lacking` metres, as far as toes bend.
-Quat bend_up(Vec3 toe, float lacking) noexcept {
-    constexpr float k_most = 60 * k_radians_per_degree;
-    const float length_of_toe = length(toe);
-    if (!(lacking > 0) || length_of_toe < 1e-4f) return {};
-    const float now = asin(std::clamp(toe.y / length_of_toe, -1.0f, 1.0f));
-    const float then = asin(std::clamp((toe.y + lacking) / length_of_toe, -1.0f, 1.0f));
-    return axis_angle(normalized(cross(toe, k_up), {1, 0, 0}), std::min(then - now, k_most));
-}
-
 /// What lifts a toe tip out of the ground, on top of the foot's own rotation. On level ground a tip may be as deep as
 /// the clip has it.
 Quat bend_toes(const WorldLeg& leg, const PlacedFoot& placed, Vec3 ankle, const GroundProbe& probe) noexcept {
     const Vec3 joint = ankle + rotate(placed.tilt, leg.toe_joint - leg.points.ankle);
     const Vec3 toe = rotate(placed.toes_tilt, leg.points.toe_tip - leg.toe_joint), tip = joint + toe;
     const float own = std::min(0.0f, leg.points.toe_tip.y) * (1 - placed.uneven);
-    return bend_up(toe, probe.height(tip.x, tip.z) + own - tip.y);
+    return bend_toe_up(toe, probe.height(tip.x, tip.z) + own - tip.y);
 }
 
 /// True where steering has moved a foothold that a foot is swinging to.
@@ -263,6 +253,15 @@ void apply(const FootRig& rig, const FootOutput& output, std::span<const Transfo
     }
 }
 
+Quat bend_toe_up(Vec3 toe, float lacking) noexcept {
+    constexpr float k_most = 60 * k_radians_per_degree;
+    const float length_of_toe = length(toe);
+    if (!(lacking > 0) || length_of_toe < 1e-4f) return {};
+    const float now = asin(std::clamp(toe.y / length_of_toe, -1.0f, 1.0f));
+    const float then = asin(std::clamp((toe.y + lacking) / length_of_toe, -1.0f, 1.0f));
+    return axis_angle(normalized(cross(toe, k_up), {1, 0, 0}), std::min(then - now, k_most));
+}
+
 void lift_toe_tips(const FootRig& rig, std::span<const Transform> models, std::span<Transform> locals) noexcept {
     for (std::size_t side = 0; side < 2; ++side) {
         const Leg& leg = rig.legs.side[side];
@@ -273,7 +272,7 @@ void lift_toe_tips(const FootRig& rig, std::span<const Transform> models, std::s
         if (!(lacking > 0)) continue;
         const Quat parent = models[static_cast<std::size_t>(rig.toes_parent[side])].rotation;
         locals[static_cast<std::size_t>(leg.toes)].rotation =
-            normalized(conjugate(parent) * bend_up(toe, lacking) * toes.rotation);
+            normalized(conjugate(parent) * bend_toe_up(toe, lacking) * toes.rotation);
     }
 }
 

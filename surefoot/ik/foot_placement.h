@@ -145,6 +145,9 @@ void place_feet(const FootRig& rig, FootPlacementState& state, const FootInput& 
 void apply(const FootRig& rig, const FootOutput& output, std::span<const Transform> models,
            std::span<Transform> locals) noexcept;
 
+/// Rotation about the toe joint that lifts the tip of `toe` (joint to tip) by `lacking` metres, as far as toes bend.
+Quat bend_toe_up(Vec3 toe, float lacking) noexcept;
+
 /// Cleans an un-placed pose before it is placed: toes bend up where the clip has their tips under its own flat ground
 /// (y = 0 in model space), which captured toes often are when a foot leaves. No joint moves but those below the toes.
 void lift_toe_tips(const FootRig& rig, std::span<const Transform> models, std::span<Transform> locals) noexcept;

@@ -32,6 +32,10 @@ bool edit_event(Json& event, const ClipEdit& edit) {
             exchange(event, "foot", "left", "right");
             return true;
         case ClipEdit::Kind::resampled:
+        case ClipEdit::Kind::posed:
+            return true;
+        case ClipEdit::Kind::retimed:
+            event["time_s"] = seconds(std::clamp(before / static_cast<double>(edit.rate), 0.0, duration));
             return true;
         case ClipEdit::Kind::reversed: {
             exchange(event, "kind", "strike", "toe_off");

@@ -6,9 +6,11 @@
 namespace surefoot {
 
 struct ClipEdit {
-    enum class Kind { mirrored, reversed, cut, resampled };
+    /// `posed`: what changed is poses or path, not when anything happens.
+    enum class Kind { mirrored, reversed, cut, resampled, retimed, posed };
     Kind kind = Kind::resampled;
     float from = 0;      ///< seconds of the clip as it was where the result begins; cut only
+    float rate = 1;      ///< how many times as fast the result plays; retimed only
     float duration = 0;  ///< of the result, seconds
     bool cyclic = false;
     std::string text;  ///< what is added to the provenance: "mirrored"

@@ -120,6 +120,15 @@ void sample(const Motion& motion, float time, RootFrame& root, std::span<Transfo
     root = start * repeated(cycles < 0 ? inverse_frame(step) : step, std::fabs(cycles)) * between(start, root);
 }
 
+Motion retime(const Motion& motion, float rate) {
+    if (!(rate >= k_slowest_retime && rate <= k_fastest_retime))
+        throw Error("a clip cannot be played " + std::to_string(rate) + " times as fast and still look right",
+                    motion.name, "stay between 0.8 and 1.25; for other speeds blend it with a faster or slower clip");
+    Motion faster = motion;
+    faster.fps = motion.fps * rate;
+    return resample(faster, motion.fps);
+}
+
 Motion resample(const Motion& motion, float fps) {
     if (!(fps > 0) || !std::isfinite(fps))
         throw Error("the frame rate must be a positive number", motion.name, "ask for 30 or 60 frames a second, say");

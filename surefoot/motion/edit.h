@@ -30,6 +30,13 @@ Motion reverse(const Motion& motion);
 /// differs accordingly (never by more than half a frame). Throws Error where `fps` is no positive number.
 Motion resample(const Motion& motion, float fps);
 
+inline constexpr float k_slowest_retime = 0.8f, k_fastest_retime = 1.25f;
+
+/// The clip played `rate` times as fast, at (nearly) its own frame rate: the same steps in less or more time, so speed
+/// and turn grow with the rate. Moments of the clip come at time / rate. Beyond [k_slowest_retime, k_fastest_retime]
+/// weight no longer looks like weight (a walk played 1.5 times as fast is no brisk walk): throws Error there.
+Motion retime(const Motion& motion, float rate);
+
 /// Pose and root between frames: `time` in seconds from the first frame, clamped (cyclic clips wrap, travel added).
 void sample(const Motion& motion, float time, RootFrame& root, std::span<Transform> locals);
 
