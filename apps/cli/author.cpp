@@ -2,9 +2,11 @@
 
 #include "actor.h"
 #include "command.h"
+#include "repairs.h"
 
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/author/author.h>
+#include <surefoot/author/rank.h>
 #include <surefoot/base/error.h>
 #include <surefoot/motion/motion.h>
 #include <surefoot/preset/default_set.h>
@@ -25,7 +27,7 @@ struct Options {
     std::string folder, name, skeleton;
     std::vector<std::string> axes, styles, upper_styles;
     double unit_scale = 0;
-    bool strict = false, use_default = false, no_mannequin = false, no_retarget = false, json = false, probe = false;
+    bool strict = false, use_default = false, no_mannequin = false, no_retarget = false, json = false, probe = false, fix = false;
     int grid = 0, probe_grid = 0;
 };
 
@@ -106,6 +108,7 @@ int run(const Options& options) {
     author.probe = make_probe(options);
     author.retarget = !options.no_retarget;
     if (!options.skeleton.empty()) author.actor = read_actor(options.skeleton);
+    author.fix = options.fix;
     const AuthorResult result = options.clips.empty() ? author_motions(make_default_set().clips, options.folder, author)
                                                       : author_clips(options.clips, options.folder, author);
     for (const std::string& failure : result.failed) fmt::print(stderr, "surefoot: {}\n", failure);
@@ -118,7 +121,11 @@ int run(const Options& options) {
             fmt::print("\n{} cycles found in {} of {} takes, {} of them in the spaces\n", result.cycles_found,
                        result.takes_with_cycles, result.takes, result.cycles_placed);
         print_left_out(result.project);
+        if (options.fix) print_repairs(result.repairs);
         print_findings(result.project);
+        if (const Placeholder* wanted = most_wanted(result.project))
+            fmt::print("the single clip that would help most: {} (worth {:.3g} warnings)\n", wanted->text,
+                       wanted->worth);
         print_probe(result);
         fmt::print("\nproject: {}\nreport:  {}\n", result.project_file.string(), result.report_file.string());
     }
@@ -150,6 +157,7 @@ const Command k_author{
                        "whose skeleton the space uses: a clip or character, or `default` (else: that which most clips "
                        "share, the first of equals); clips of others are retargeted to it");
         app.add_flag("--no-retarget", options->no_retarget, "leave clips of other skeletons out");
+        app.add_flag("--fix", options->fix, "make the clips that are missing, and mend what else can be mended");
         app.add_flag("--no-mannequin", options->no_mannequin, "write the clips without a body");
         app.add_flag("--strict", options->strict, "exit with 2 where a clip could not be read");
         app.add_option("--grid", options->grid, "snap samples to an engine's grid of that many divisions an axis")

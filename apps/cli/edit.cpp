@@ -1,11 +1,18 @@
-// surefoot mirror | reverse | cut | resample IN OUT, and surefoot roles FILE.
+// surefoot mirror | reverse | cut | resample | retime | straighten | clean IN OUT, and surefoot roles FILE.
 
 #include "clip_files.h"
 #include "command.h"
 
+#include <surefoot/analysis/analyze.h>
+#include <surefoot/analysis/footing.h>
+#include <surefoot/analysis/measure.h>
+#include <surefoot/analysis/repair.h>
 #include <surefoot/base/error.h>
 #include <surefoot/io/clip_extras.h>
+#include <surefoot/motion/clean.h>
 #include <surefoot/motion/edit.h>
+#include <surefoot/motion/plant.h>
+#include <surefoot/motion/steer.h>
 
 #include <fmt/format.h>
 
@@ -13,6 +20,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 namespace surefoot::cli {
 
@@ -83,6 +91,67 @@ ClipEdit cut_range(Motion& motion, const CutRange& range) {
     return done;
 }
 
+struct StraightenOptions {
+    std::optional<double> turn_deg_s, lateral_mps, forward_mps;
+    bool plant = false;
+};
+
+/// Measures the clip, gives its root the path asked for, and says what that did to the feet.
+ClipEdit straighten(Motion& motion, const StraightenOptions& options) {
+    const AnalyzedClip before = analyze_clip(motion, motion.name);
+    PathTarget target;
+    const auto number = [](double value) { return static_cast<float>(value); };
+    if (options.turn_deg_s) target.turn = number(*options.turn_deg_s) * k_radians_per_degree;
+    if (options.lateral_mps) target.lateral = number(*options.lateral_mps);
+    if (options.forward_mps) target.forward = number(*options.forward_mps);
+    if (!options.plant && !options.turn_deg_s && !options.lateral_mps && !options.forward_mps) target.turn = 0.0f;
+    SteerReport report;
+    motion = steer(before.motion, before.roles.roles, stance_flags(before.facts), target, &report);
+    if (options.plant) {
+        ClipFacts steered = before.facts;
+        measure(motion, before.roles.roles, before.legs, steered);
+        motion = plant(motion, before.roles.roles, before.legs, stance_flags(steered));
+    }
+    ClipFacts after = before.facts;
+    measure(motion, before.roles.roles, before.legs, after);
+    if (std::fabs(after.turn) < 0.05f) after.turn = 0;  // no "-0.0"
+    if (std::fabs(after.lateral) < 0.005f) after.lateral = 0;
+    fmt::print("{}: turn {:.1f} -> {:.1f} deg/s, forward {:.2f} -> {:.2f} m/s, lateral {:.2f} -> {:.2f} m/s\n",
+               motion.name, before.facts.turn, after.turn, before.facts.forward, after.forward, before.facts.lateral,
+               after.lateral);
+    fmt::print("  planted feet slide at {:.1f} cm/s, {:.1f} before; feet moved by up to {:.1f} cm and {:.0f} deg\n",
+               100 * after.skate, 100 * before.facts.skate, 100 * report.foot_moved,
+               report.foot_turned * k_degrees_per_radian);
+    return edit_done(ClipEdit::Kind::posed,
+                     fmt::format("straightened: turn {:.1f} to {:.1f} deg/s, lateral {:.2f} to {:.2f} m/s",
+                                 before.facts.turn, after.turn, before.facts.lateral, after.lateral));
+}
+
+/// Mends glitches; frames that a capture dropped at the ends are cut off.
+ClipEdit clean_clip(Motion& motion) {
+    const RoleMap roles = find_roles(*motion.skeleton, shape_of(motion)).roles;
+    ClipEdit done = edit_done(ClipEdit::Kind::posed, "");
+    CleanOptions options;
+    Footing footing;
+    std::vector<std::string> lines;
+    if (roles.has_legs()) {
+        const Repair dropped = repair_dropped_frames(motion, roles);
+        lines = dropped.warnings;
+        if (dropped.first > 0) {
+            done.kind = ClipEdit::Kind::cut;
+            done.from = static_cast<float>(dropped.first) / motion.fps;
+        }
+        footing = find_footing(motion, roles, make_tracks(motion, roles));
+        options.legs = &footing.legs;
+        options.floor = footing.floor;
+    }
+    for (const GlitchRepair& repair : clean(motion, options)) lines.push_back(describe(repair, *motion.skeleton));
+    for (const std::string& line : lines) fmt::print("{}: {}\n", motion.name, line);
+    if (lines.empty()) fmt::print("{}: nothing to mend\n", motion.name);
+    done.text = fmt::format("cleaned: {} repairs", lines.size());
+    return done;
+}
+
 int print_roles(const std::string& file) {
     bool legs = true;
     const Skeleton* shown = nullptr;
@@ -101,7 +170,7 @@ int print_roles(const std::string& file) {
 
 }  // namespace
 
-extern const Command k_mirror, k_reverse, k_cut, k_resample, k_roles;
+extern const Command k_mirror, k_reverse, k_cut, k_resample, k_retime, k_straighten, k_clean, k_roles;
 
 const Command k_mirror{"mirror", "exchange left and right", [](CLI::App& app) -> std::function<int()> {
                            const auto paths = add_paths(app);
@@ -148,6 +217,48 @@ const Command k_resample{"resample", "change the frame rate", [](CLI::App& app) 
                                  });
                              };
                          }};
+
+const Command k_retime{"retime", "play faster or slower", [](CLI::App& app) -> std::function<int()> {
+                           const auto paths = add_paths(app);
+                           const auto rate = std::make_shared<float>(1.0f);
+                           app.add_option("--rate", *rate, "times as fast, 0.8 to 1.25")->required()->check(is_number);
+                           return [paths, rate] {
+                               return edit_clips(*paths, [&](Motion& motion) {
+                                   motion = retime(motion, *rate);
+                                   ClipEdit done = edit_done(ClipEdit::Kind::retimed,
+                                                             fmt::format("played {:g} times as fast", *rate));
+                                   done.rate = *rate;
+                                   return done;
+                               });
+                           };
+                       }};
+
+const Command k_straighten{
+    "straighten", "take out a residual turn, or give the path another turn, drift or pace",
+    [](CLI::App& app) -> std::function<int()> {
+        const auto paths = add_paths(app);
+        const auto options = std::make_shared<StraightenOptions>();
+        const CLI::Range turns(-180.0, 180.0), speeds(-10.0, 10.0);
+        app.add_option("--turn", options->turn_deg_s, "mean turn to have, deg/s, + to the left (default 0)")
+            ->check(turns)
+            ->check(is_number);
+        app.add_option("--lateral", options->lateral_mps, "mean sideways speed to have, m/s, + to the left")
+            ->check(speeds)
+            ->check(is_number);
+        app.add_option("--forward", options->forward_mps, "mean forward speed to have, m/s: the steps grow or shrink")
+            ->check(speeds)
+            ->check(is_number);
+        app.add_flag("--plant", options->plant, "hold standing feet to the ground (alone: leave the path as it is)");
+        return [paths, options] {
+            return edit_clips(*paths, [&](Motion& motion) { return straighten(motion, *options); });
+        };
+    }};
+
+const Command k_clean{"clean", "mend motion-capture glitches: spikes, flips, dropped frames, jitter, toes in the floor",
+                      [](CLI::App& app) -> std::function<int()> {
+                          const auto paths = add_paths(app);
+                          return [paths] { return edit_clips(*paths, clean_clip); };
+                      }};
 
 const Command k_roles{"roles", "which joint is which, and how that was found",
                       [](CLI::App& app) -> std::function<int()> {

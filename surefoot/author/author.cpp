@@ -1,13 +1,9 @@
 #include <surefoot/author/author.h>
 #include <surefoot/author/gather.h>
-#include <surefoot/author/lint.h>
-#include <surefoot/author/place.h>
-#include <surefoot/author/report.h>
+#include <surefoot/author/rank.h>
+#include <surefoot/author/workbench.h>
 #include <surefoot/base/error.h>
-#include <surefoot/host/files.h>
 #include <surefoot/host/parallel.h>
-#include <surefoot/io/gltf.h>
-#include <surefoot/io/mannequin.h>
 
 #include <fmt/format.h>
 #include <fnmatch.h>
@@ -29,12 +25,12 @@ std::optional<Project> earlier_project(const fs::path& folder, std::vector<std::
 }
 
 /// The clip of the earlier project that this one is again.
-const ProjectClip* find_again(const Project& before, const ProjectClip& clip) {
+const ProjectClip* find_again(const Project& before, const std::string& source, int first, int last,
+                              const std::string& name) {
     for (const ProjectClip& old : before.clips)
-        if (old.source == clip.source && old.source_first == clip.source_first && old.source_last == clip.source_last)
-            return &old;
-    const int same_name = before.find_clip(clip.name);
-    return same_name >= 0 && before.clips[same_name].source == clip.source ? &before.clips[same_name] : nullptr;
+        if (old.source == source && old.source_first == first && old.source_last == last && !old.made()) return &old;
+    const int same_name = before.find_clip(name);
+    return same_name >= 0 && before.clips[same_name].source == source ? &before.clips[same_name] : nullptr;
 }
 
 void set_style(ProjectClip& clip, const std::vector<StyleOption>& styles) {
@@ -66,50 +62,37 @@ RoleOverrides named_roles(const RoleMap& roles, const Skeleton& skeleton) {
     return result;
 }
 
-/// Carries over what the user set, and takes out the clips that they left out. `kept` shrinks with the project's clips.
-void apply_user_choices(Project& project, std::vector<Candidate>& kept, const Project& before) {
+/// Carries over what the user set. Clips that they pinned or left out and that were not given this time stay in the
+/// project by name, so that their pins are there when they come back.
+void apply_user_choices(Workbench& bench, const Project& before) {
+    Project& project = bench.project;
     project.role_overrides = before.role_overrides;
     project.lint = before.lint;
     project.unknown = before.unknown;
-    std::vector<ProjectClip> clips, left_out;
-    std::vector<Candidate> remaining;
-    for (std::size_t i = 0; i < project.clips.size(); ++i) {
-        ProjectClip& clip = project.clips[i];
-        const ProjectClip* old = find_again(before, clip);
-        if (old) clip.pins = old->pins;
-        if (old && clip.style.empty()) {
+    std::set<const ProjectClip*> again;
+    for (ProjectClip& clip : project.clips) {
+        const ProjectClip* old = find_again(before, clip.source, clip.source_first, clip.source_last, clip.name);
+        if (!old) continue;
+        again.insert(old);
+        clip.pins = old->pins;
+        if (clip.style.empty()) {
             clip.style = old->style;
             clip.upper_body = old->upper_body;
         }
-        if (old && old->excluded_by_user) {
-            clip.excluded = clip.excluded_by_user = true;
-            clip.reason = old->reason;
-            clip.file.clear();
-        }
-        const bool out = clip.excluded;
-        (out ? left_out : clips).push_back(std::move(clip));
-        if (!out) remaining.push_back(std::move(kept[i]));
+        if (!old->excluded_by_user) continue;
+        clip.excluded = clip.excluded_by_user = true;
+        clip.reason = old->reason;
+        clip.file.clear();
     }
-    std::move(left_out.begin(), left_out.end(), std::back_inserter(clips));
-    project.clips = std::move(clips);
-    kept = std::move(remaining);
-}
-
-std::string clip_glb(const ProjectClip& clip, const Motion& motion, const std::optional<Mesh>& mesh) {
-    GltfScene scene;
-    scene.motions = {motion};
-    scene.motion_extras = {clip_extras_json(clip)};
-    scene.mesh = mesh;
-    return write_glb(scene);
-}
-
-/// Clip files of the earlier project that the new one does not have any more.
-void remove_stale_clips(const fs::path& folder, const Project& before, const Project& project) {
-    std::set<std::string> wanted;
-    for (const ProjectClip& clip : project.clips) wanted.insert(clip.file);
-    for (const ProjectClip& clip : before.clips) {
-        std::error_code ignored;
-        if (!clip.file.empty() && !wanted.count(clip.file)) fs::remove(folder / clip.file, ignored);
+    for (const ProjectClip& old : before.clips) {
+        if (again.count(&old) || old.made() || (old.pins.empty() && !old.excluded_by_user)) continue;
+        if (project.find_clip(old.name) >= 0) continue;
+        ProjectClip absent = old;
+        absent.excluded = true;
+        absent.file.clear();
+        absent.repair.clear();
+        if (!absent.excluded_by_user) absent.reason = "it was not among the clips given this time";
+        bench.add(std::move(absent), nullptr);
     }
 }
 
@@ -120,87 +103,106 @@ std::string title_of(const fs::path& folder) {
     return name.empty() || name == "." ? "Blend space" : name;
 }
 
-void write_clips(const fs::path& folder, const Project& project, const std::vector<Candidate>& kept, bool mannequin) {
-    std::optional<Mesh> mesh;
-    if (mannequin) {
-        const AnalyzedClip& first = kept.front().clip;
-        mesh = make_mannequin(first.motion, first.roles.roles, first.legs);
+/// Measured clips and those with a reason to be left out, as a project.
+Workbench lay_out(Gathered gathered, const std::vector<StyleOption>& styles, const Project* before,
+                  AuthorResult& result) {
+    Workbench bench;
+    for (std::string& failure : gathered.failed) result.failed.push_back(std::move(failure));
+    result.takes = gathered.takes;
+    result.takes_with_cycles = gathered.takes_with_cycles;
+    result.cycles_found = gathered.cycles;
+    std::vector<std::shared_ptr<const BenchClip>> motions(gathered.kept.size());
+    std::vector<ProjectClip> clips;
+    for (const Candidate& candidate : gathered.kept) {
+        clips.push_back(describe(candidate));
+        set_style(clips.back(), styles);
+        result.cycles_placed += candidate.cut_from_take;
     }
-    parallel_for(kept.size(), [&](std::size_t i) {
-        update_file(folder / project.clips[i].file, clip_glb(project.clips[i], kept[i].clip.motion, mesh));
-    });
+    parallel_for(motions.size(),
+                 [&](std::size_t i) { motions[i] = make_bench_clip(std::move(gathered.kept[i].clip)); });
+    for (std::size_t i = 0; i < motions.size(); ++i) bench.add(std::move(clips[i]), std::move(motions[i]));
+    for (ProjectClip& clip : gathered.left_out) bench.add(std::move(clip), nullptr);
+    if (before) apply_user_choices(bench, *before);
+    return bench;
 }
 
-std::vector<AnalyzedClip> clips_of(const std::vector<Candidate>& candidates) {
+void warn_of_empty_styles(const Project& project, const std::vector<StyleOption>& styles,
+                          std::vector<std::string>& warnings) {
+    for (const StyleOption& style : styles)
+        if (std::none_of(project.clips.begin(), project.clips.end(),
+                         [&](const ProjectClip& clip) { return !clip.excluded && clip.style == style.name; }))
+            warnings.push_back("no clip in use is called \"" + style.pattern + "\": there is no style \"" + style.name +
+                               "\"");
+}
+
+/// The clips of the spaces, which come first in a project.
+std::vector<AnalyzedClip> clips_of(const Workbench& bench) {
     std::vector<AnalyzedClip> clips;
-    for (const Candidate& candidate : candidates) clips.push_back(candidate.clip);
+    for (std::size_t i = 0; i < bench.clips.size() && !bench.project.clips[i].excluded; ++i)
+        clips.push_back(bench.clips[i]->clip);
     return clips;
+}
+
+/// Repairs, with a probe of what was before where one is asked for.
+RepairReport repair_and_compare(Workbench& bench, const Project* before, const SpaceProbe& probe) {
+    std::optional<ProbeResult> first;
+    if (probe) first = probe(clips_of(bench), bench.project.spaces);
+    RepairReport report = repair(bench);
+    if (report.made() > 0)
+        bench.project.probe_before = std::move(first);
+    else if (probe && before)
+        bench.project.probe_before = before->probe_before;
+    return report;
 }
 
 /// Everything after loading.
 AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const AuthorOptions& options,
                    AuthorResult result) {
-    const std::optional<Project> before = earlier_project(folder, result.warnings);
+    const std::optional<Project> earlier = earlier_project(folder, result.warnings);
+    const Project* before = earlier ? &*earlier : nullptr;
     RoleOverrides overrides = options.role_overrides;
     if (before) overrides.insert(overrides.begin(), before->role_overrides.begin(), before->role_overrides.end());
 
-    Gathered gathered = gather(std::move(clips), overrides,
-                               {options.retarget, options.actor, options.cache ? folder / ".cache" : fs::path()});
-    for (std::string& failure : gathered.failed) result.failed.push_back(std::move(failure));
+    const auto left_out = [&](const AnalyzedClip& clip) {
+        const ProjectClip* old =
+            before ? find_again(*before, clip.source, clip.source_first, clip.source_last, clip.facts.name) : nullptr;
+        return old && old->excluded_by_user;
+    };
+    Gathered gathered =
+        gather(std::move(clips), overrides,
+               {options.retarget, options.actor, options.cache ? folder / ".cache" : fs::path(), left_out});
     for (std::string& warning : gathered.warnings) result.warnings.push_back(std::move(warning));
-
-    Project& project = result.project;
+    Workbench bench = lay_out(std::move(gathered), options.styles, before, result);
+    Project& project = bench.project;
     project.name = !options.name.empty() ? options.name : before ? before->name : title_of(folder);
-    for (const Candidate& candidate : gathered.kept) {
-        project.clips.push_back(describe(candidate));
-        set_style(project.clips.back(), options.styles);
-    }
-    if (before) apply_user_choices(project, gathered.kept, *before);
+    project.asked_axes = !options.axes.empty() || !before ? options.axes : before->asked_axes;
     if (!options.role_overrides.empty()) project.role_overrides = overrides;
-    for (ProjectClip& clip : gathered.left_out) project.clips.push_back(std::move(clip));
-    if (gathered.kept.empty()) {
+    const auto usable = std::find_if(project.clips.begin(), project.clips.end(),
+                                     [](const ProjectClip& clip) { return !clip.excluded; });
+    if (usable == project.clips.end()) {
         const std::string why = !project.clips.empty() ? "\"" + project.clips[0].name + "\": " + project.clips[0].reason
                                 : !result.failed.empty() ? result.failed[0]
                                                          : std::string("none was given");
         throw Error("no clip can be placed in a blend space (" + why + ")", folder.string(),
                     "give clips that walk, run, turn or stand; `surefoot analyze` says what each one does");
     }
-    const AnalyzedClip& first = gathered.kept.front().clip;
+    const AnalyzedClip& first = bench.clips[static_cast<std::size_t>(usable - project.clips.begin())]->clip;
     project.roles = named_roles(first.roles.roles, *first.motion.skeleton);
+    if (before) replay_repairs(bench, *before, result.warnings);
+    place_and_lint(bench, before, result.warnings);
+    if (options.fix) result.repairs = repair_and_compare(bench, before, options.probe);
 
-    result.takes = gathered.takes;
-    result.takes_with_cycles = gathered.takes_with_cycles;
-    result.cycles_found = gathered.cycles;
-    for (const Candidate& candidate : gathered.kept) result.cycles_placed += candidate.cut_from_take;
-
-    for (const StyleOption& style : options.styles)
-        if (std::none_of(project.clips.begin(), project.clips.end(),
-                         [&](const ProjectClip& clip) { return !clip.excluded && clip.style == style.name; }))
-            result.warnings.push_back("no clip in use is called \"" + style.pattern + "\": there is no style \"" +
-                                      style.name + "\"");
-    place_clips(project, options.axes, before ? &*before : nullptr, result.warnings);
-    if (options.probe && options.grid > 0) result.unsnapped = options.probe(clips_of(gathered.kept), project.spaces);
+    warn_of_empty_styles(project, options.styles, result.warnings);
+    if (options.probe && options.grid > 0) result.unsnapped = options.probe(clips_of(bench), project.spaces);
     if (options.grid > 0) result.snap = snap_to_grid(project, options.grid, result.warnings);
-    if (options.probe) project.probe = options.probe(clips_of(gathered.kept), project.spaces);
-    std::vector<PoseTable> poses(project.clips.size());
-    parallel_for(gathered.kept.size(), [&](std::size_t i) {
-        const AnalyzedClip& clip = gathered.kept[i].clip;
-        poses[i] = make_pose_table(clip.motion, clip.facts, clip.roles.roles);
-    });
-    LintResult found = lint(project, poses);
-    project.findings = std::move(found.findings);
-    project.placeholders = std::move(found.placeholders);
-    for (std::string& warning : found.warnings) result.warnings.push_back(std::move(warning));
+    if (options.probe) project.probe = options.probe(clips_of(bench), project.spaces);
+    if (options.probe || options.grid > 0) lint_again(bench, result.warnings);
 
-    write_clips(folder, project, gathered.kept, options.mannequin);
+    rank_placeholders(bench);
+    write_project(bench, folder, before, {options.mannequin, false, result.failed, result.warnings});
     result.report_file = folder / "report.html";
-    std::vector<const AnalyzedClip*> analyzed;
-    for (const Candidate& candidate : gathered.kept) analyzed.push_back(&candidate.clip);
-    result.figures = make_clip_figures(project, analyzed);
-    update_file(result.report_file, report_html(project, {result.failed, result.warnings, &result.figures}));
     result.project_file = folder / "project.json";
-    save_project(result.project_file, project);
-    if (before) remove_stale_clips(folder, *before, project);
+    result.project = std::move(project);
     return result;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // From clips to a blend space: load, measure, cut, place, triangulate, lint, write. No manual step.
 
-#include <surefoot/author/clip_figures.h>
 #include <surefoot/author/project.h>
+#include <surefoot/author/repair.h>
 #include <surefoot/author/retarget_clips.h>
 #include <surefoot/author/snap_grid.h>
 
@@ -49,16 +49,17 @@ struct AuthorOptions {
     bool mannequin = true;  ///< clips are written with a skinned mannequin
     int grid = 0;           ///< divisions of an engine's grid that samples are moved to (snap_grid.h); 0: none
     SpaceProbe probe;       ///< measures the placed spaces, for findings and report; none: not probed
+    bool fix = false;       ///< repair what can be repaired (author/repair.h)
 };
 
 struct AuthorResult {
     Project project;
     std::vector<std::string> warnings;
     std::vector<std::string> failed;  ///< files that could not be read, with the reason
-    ClipFigures figures;              ///< of the project's clips, for the report and whoever writes it again
     std::filesystem::path project_file, report_file;
     GridSnap snap;              ///< what the grid moved
     ProbeResult unsnapped;      ///< the probe without the grid, where there is a grid
+    RepairReport repairs;       ///< of this run, where it was asked to repair
     int takes = 0;              ///< clips that do not loop as they are and were searched for cycles
     int takes_with_cycles = 0;  ///< those of them where any was found
     int cycles_found = 0, cycles_placed = 0;

@@ -51,6 +51,7 @@ struct Placeholder {
     std::vector<float> target;  ///< in axis units, one value an axis
     std::string rule;           ///< of the finding that asks for it
     std::string text;           ///< "a clip at 1.4 m/s turning 90 deg/s to the left"
+    float worth = 0;            ///< what a clip here would mend, in warnings (author/rank.h)
 
     friend bool operator==(const Placeholder&, const Placeholder&) = default;
 };

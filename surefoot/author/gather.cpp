@@ -149,6 +149,7 @@ void thin_cycles(Gathered& gathered) {
     std::vector<std::size_t> chosen;
     std::vector<std::string> reason(count);
     for (const std::size_t i : order) {
+        if (gathered.kept[i].out) continue;
         if (gathered.kept[i].cut_from_take && !is_idle(gathered.kept[i].clip.facts))
             for (const std::size_t other : chosen) {
                 if (places.distance(i, other) >= k_same_place) continue;
@@ -176,6 +177,7 @@ void keep_one_idle(Gathered& gathered) {
         return make_pose_table(candidate.clip.motion, candidate.clip.facts, candidate.clip.roles.roles);
     };
     for (std::size_t i = 0; i < gathered.kept.size(); ++i) {
+        if (gathered.kept[i].out) continue;
         if (is_idle(gathered.kept[i].clip.facts))
             idles.push_back(i);
         else
@@ -254,6 +256,8 @@ Gathered gather(std::vector<LoadedClip> clips, const RoleOverrides& overrides, c
     }
     keep_one_skeleton(gathered, options);
     name_clips(gathered);
+    if (options.left_out_by_user)
+        for (Candidate& candidate : gathered.kept) candidate.out = options.left_out_by_user(candidate.clip);
     thin_cycles(gathered);
     keep_one_idle(gathered);
     std::sort(gathered.left_out.begin(), gathered.left_out.end(),

@@ -8,6 +8,7 @@
 #include <surefoot/io/load.h>
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ struct Candidate {
     AnalyzedClip clip;
     std::vector<std::string> provenance;
     bool cut_from_take = false;  ///< we chose it; a clip that the user made stays in even where it is one too many
+    bool out = false;            ///< the user left it out: no other clip gives way to it
 };
 
 struct Gathered {
@@ -36,6 +38,8 @@ struct GatherOptions {
     std::optional<Actor> actor;
     /// Folder in which measurements are kept for the next run (author/result_cache.h); empty: nowhere.
     std::filesystem::path cache;
+    /// Says of a named clip whether it stays out whatever it does; empty: none does.
+    std::function<bool(const AnalyzedClip&)> left_out_by_user;
 };
 
 /// Measures clips (in parallel), cuts takes into cycles, drops what is not locomotion, brings all to one skeleton,

@@ -55,6 +55,7 @@ Json to_json(const ProjectClip& clip) {
     result["excluded"] = clip.excluded;
     if (clip.excluded) result["excluded_by"] = clip.excluded_by_user ? "user" : "surefoot";
     if (clip.excluded) result["reason"] = clip.reason;
+    if (!clip.repair.empty()) result["repair"] = clip.repair;
     result["facts"] = facts_to_json(clip.facts, FactsDetail::full);
     return result;
 }
@@ -116,10 +117,34 @@ Json to_json(const Finding& finding) {
 }
 
 Json to_json(const Placeholder& placeholder) {
-    return {
-        {"space", placeholder.space}, {"kind", placeholder.kind == PlaceholderKind::needed ? "needed" : "suggested"},
-        {"axes", placeholder.axes},   {"target", numbers(placeholder.target)},
-        {"rule", placeholder.rule},   {"text", placeholder.text}};
+    return {{"space", placeholder.space},
+            {"kind", placeholder.kind == PlaceholderKind::needed ? "needed" : "suggested"},
+            {"axes", placeholder.axes},
+            {"target", numbers(placeholder.target)},
+            {"rule", placeholder.rule},
+            {"text", placeholder.text},
+            {"worth", short_number(placeholder.worth)}};
+}
+
+Json to_json(const RepairStep& step) {
+    Json result;
+    result["kind"] = step.kind;
+    result["clips"] = step.clips;
+    result["numbers"] = step.numbers;
+    if (!step.makes.empty()) result["makes"] = step.makes;
+    if (!step.space.empty()) result["space"] = step.space;
+    if (!step.reason.empty()) result["reason"] = step.reason;
+    return result;
+}
+
+Json to_json(const ProjectRepair& repair) {
+    Json result;
+    result["id"] = repair.id;
+    result["answers"] = {{"rule", repair.rule}, {"space", repair.space}, {"clips", repair.clips}};
+    result["text"] = repair.text;
+    result["steps"] = Json::array();
+    for (const RepairStep& step : repair.steps) result["steps"].push_back(to_json(step));
+    return result;
 }
 
 // --- reading
@@ -189,6 +214,7 @@ ProjectClip read_clip(JsonNode node) {
     clip.excluded_by_user = clip.excluded;
     if (node.has("excluded_by")) clip.excluded_by_user = clip.excluded && node.at("excluded_by").text() == "user";
     if (node.has("reason")) clip.reason = node.at("reason").text();
+    if (node.has("repair")) clip.repair = node.at("repair").text();
     const JsonNode facts = node.at("facts");
     clip.facts = facts_from_json(facts.json(), facts.where());
     node.finish();
@@ -295,8 +321,38 @@ Placeholder read_placeholder(JsonNode node) {
     placeholder.target = node.at("target").reals();
     placeholder.rule = node.at("rule").text();
     placeholder.text = node.at("text").text();
+    if (node.has("worth")) placeholder.worth = node.at("worth").real();
     node.finish();
     return placeholder;
+}
+
+RepairStep read_step(JsonNode node) {
+    RepairStep step;
+    step.kind = node.at("kind").text();
+    step.clips = node.at("clips").texts();
+    if (node.has("numbers"))
+        for (const auto& [name, value] : node.at("numbers").entries()) step.numbers[name] = value.number();
+    if (node.has("makes")) step.makes = node.at("makes").text();
+    if (node.has("space")) step.space = node.at("space").text();
+    if (node.has("reason")) step.reason = node.at("reason").text();
+    node.finish();
+    return step;
+}
+
+ProjectRepair read_repair(JsonNode node) {
+    ProjectRepair repair;
+    repair.id = node.at("id").text();
+    if (node.has("answers")) {
+        JsonNode answers = node.at("answers");
+        repair.rule = answers.at("rule").text();
+        repair.space = answers.at("space").text();
+        repair.clips = answers.at("clips").texts();
+        answers.finish();
+    }
+    if (node.has("text")) repair.text = node.at("text").text();
+    for (const JsonNode& step : node.at("steps").items()) repair.steps.push_back(read_step(step));
+    node.finish();
+    return repair;
 }
 
 std::string lower(std::string text) {
@@ -335,6 +391,9 @@ Project read_project(JsonNode node) {
         for (const JsonNode& entry : node.at("placeholders").items())
             project.placeholders.push_back(read_placeholder(entry));
     if (node.has("probe")) project.probe = read_probe(node.at("probe"), project.probe_before);
+    if (node.has("asked_axes")) project.asked_axes = node.at("asked_axes").texts();
+    if (node.has("repairs"))
+        for (const JsonNode& repair : node.at("repairs").items()) project.repairs.push_back(read_repair(repair));
     Json unknown = Json::object();
     for (const std::string& key : node.unknown()) unknown[key] = node.json()[key];
     if (!unknown.empty()) project.unknown = unknown.dump();
@@ -357,7 +416,7 @@ bool operator==(const ProjectClip& a, const ProjectClip& b) {
     return a.name == b.name && a.file == b.file && a.source == b.source && a.source_first == b.source_first &&
            a.source_last == b.source_last && a.provenance == b.provenance && a.pins == b.pins && a.style == b.style &&
            a.upper_body == b.upper_body && a.excluded == b.excluded && a.excluded_by_user == b.excluded_by_user &&
-           a.reason == b.reason &&
+           a.reason == b.reason && a.repair == b.repair &&
            facts_to_json(a.facts, FactsDetail::full) == facts_to_json(b.facts, FactsDetail::full);
 }
 
@@ -411,6 +470,9 @@ std::string project_json(const Project& project) {
     for (const Placeholder& placeholder : project.placeholders) json["placeholders"].push_back(to_json(placeholder));
     if (!project.probe.empty() || project.probe_before)
         json["probe"] = to_json(project.probe, project.probe_before ? &*project.probe_before : nullptr);
+    json["asked_axes"] = project.asked_axes;
+    json["repairs"] = Json::array();
+    for (const ProjectRepair& repair : project.repairs) json["repairs"].push_back(to_json(repair));
     json["clips"] = Json::array();
     for (const ProjectClip& clip : project.clips) json["clips"].push_back(to_json(clip));
     if (!project.unknown.empty()) {

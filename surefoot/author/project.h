@@ -11,6 +11,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -43,6 +44,10 @@ struct ProjectClip {
     bool excluded = false;          ///< not part of any space
     bool excluded_by_user = false;  ///< set by hand: it stays out
     std::string reason;             ///< why it is excluded
+    std::string repair;             ///< id of the repair that made the clip or left it out; empty for most
+
+    /// A repair made it: it comes from other clips, not from a file.
+    bool made() const noexcept { return !repair.empty() && source.empty(); }
 
     friend bool operator==(const ProjectClip&, const ProjectClip&);
 };
@@ -64,6 +69,32 @@ struct ProjectSpace {
 /// A space that colours locomotion rather than being it (graph/locomotion.h, LocomotionStyle).
 inline bool is_style(const ProjectSpace& space) noexcept { return space.name.rfind(k_style_prefix, 0) == 0; }
 
+/// One thing that a repair did.
+struct RepairStep {
+    /// "mirror", "reverse", "interpolate", "steer", "retime", "clean", "plant": make a clip. "exclude": leaves one out.
+    /// "lock-edge": joins two samples of `space` whatever Delaunay thinks.
+    std::string kind;
+    std::vector<std::string> clips;         ///< what it works on
+    std::map<std::string, double> numbers;  ///< parameters by name, units in the names; weights as "weight_0", …
+    std::string makes;                      ///< name of the made clip; empty where none is made
+    std::string space;                      ///< of a locked edge
+    std::string reason;                     ///< of an exclusion
+
+    friend bool operator==(const RepairStep&, const RepairStep&) = default;
+};
+
+/// A repair that was made and can be undone (author/repair.h).
+struct ProjectRepair {
+    std::string id;                  ///< unique in the project: "1", "2", …
+    std::string rule;                ///< of the finding that it answers
+    std::string space;               ///< of that finding, where it has one
+    std::vector<std::string> clips;  ///< of that finding
+    std::string text;                ///< what was done, in words
+    std::vector<RepairStep> steps;
+
+    friend bool operator==(const ProjectRepair&, const ProjectRepair&) = default;
+};
+
 struct Project {
     int version = k_project_version;
     std::string name;              ///< shown as the report's title
@@ -76,6 +107,8 @@ struct Project {
     std::vector<Placeholder> placeholders;
     ProbeResult probe;                        ///< of the spaces as they are; empty where nobody probed
     std::optional<ProbeResult> probe_before;  ///< of the spaces before the repairs of the last run
+    std::vector<std::string> asked_axes;  ///< axes that the user asked for, as "speed,turn"; empty: as the clips need
+    std::vector<ProjectRepair> repairs;   ///< in the order in which they were made
     /// Keys of the file that this version does not know, as JSON text of one object; kept when saved.
     std::string unknown;
 

@@ -1,0 +1,561 @@
+#include <surefoot/analysis/measure.h>
+#include <surefoot/author/lint_context.h>
+#include <surefoot/author/make_clip.h>
+#include <surefoot/author/place.h>
+#include <surefoot/author/repair_plan.h>
+#include <surefoot/motion/edit.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace surefoot {
+namespace {
+
+constexpr double k_near = 8;         // [%] how far from the place asked for a whole clip may lie that is made for it
+constexpr float k_most_turn = 60;    // [deg/s] by which a path may be bent
+constexpr double k_most_pace = 0.2;  // share by which steps may be stretched
+constexpr float k_spot_turn = 90;    // [deg/s] of a turn on the spot, where none is asked for
+constexpr std::size_t k_most_plans = 6;
+
+/// A clip that can be worked on.
+struct Source {
+    const ProjectClip* clip;
+    const BenchClip* motion;
+};
+
+std::vector<Source> sources(const Workbench& bench) {
+    std::vector<Source> result;
+    for (std::size_t i = 0; i < bench.clips.size(); ++i) {
+        const ProjectClip& clip = bench.project.clips[i];
+        if (bench.clips[i] && !clip.excluded && clip.facts.cyclic) result.push_back({&clip, bench.clips[i].get()});
+    }
+    return result;
+}
+
+/// Plans name their clips as if the earlier ones of the same plan were there.
+class Planner {
+  public:
+    explicit Planner(const Workbench& bench) : names_(bench.project.clips) {}
+
+    /// Adds a making step and returns the made clip's name.
+    std::string make(const std::string& kind, std::vector<std::string> clips, std::map<std::string, double> numbers) {
+        RepairStep step{kind, std::move(clips), std::move(numbers), "", "", ""};
+        step.makes = name_for(step, names_);
+        ProjectClip reserved;
+        reserved.name = step.makes;
+        names_.push_back(std::move(reserved));
+        plan_.steps.push_back(std::move(step));
+        return plan_.steps.back().makes;
+    }
+    /// What the last made clip promises on the axes of a space.
+    void expect(const std::vector<Axis>& axes, std::span<const float> target) {
+        for (std::size_t k = 0; k < axes.size() && k < target.size(); ++k)
+            plan_.steps.back().numbers["expect_" + axes[k].name] = static_cast<double>(target[k]);
+    }
+    void exclude(const std::string& clip, std::string reason) {
+        plan_.steps.push_back({"exclude", {clip}, {}, "", "", std::move(reason)});
+    }
+    void lock(const std::string& space, const std::string& a, const std::string& b) {
+        plan_.steps.push_back({"lock-edge", {a, b}, {}, "", space, ""});
+    }
+    RepairPlan done(std::string text) {
+        plan_.text = std::move(text);
+        return std::move(plan_);
+    }
+
+  private:
+    std::vector<ProjectClip> names_;
+    RepairPlan plan_;
+};
+
+ClipFacts doing(const ClipFacts& facts, float forward, float lateral, float turn) {
+    ClipFacts result = facts;
+    set_travel(result, forward, lateral);
+    result.turn = turn;
+    return result;
+}
+
+std::vector<float> place_of(const ProjectSpace& space, const ClipFacts& facts) {
+    std::vector<float> place;
+    for (const Axis& axis : space.space.axes) place.push_back(axis_value(facts, axis.name));
+    return place;
+}
+
+double percent_apart(const ProjectSpace& space, std::span<const float> a, std::span<const float> b) {
+    const PercentSpace percent(space);
+    double square = 0;
+    for (int k = 0; k < percent.dimensions(); ++k) {
+        const double off = percent.percent(
+            static_cast<double>(a[static_cast<std::size_t>(k)]) - static_cast<double>(b[static_cast<std::size_t>(k)]),
+            k);
+        square += off * off;
+    }
+    return std::sqrt(square);
+}
+
+struct Ranked {
+    double cost;
+    RepairPlan plan;
+};
+
+void keep_best(std::vector<Ranked>& ranked, std::vector<RepairPlan>& plans) {
+    std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) { return a.cost < b.cost; });
+    for (std::size_t i = 0; i < ranked.size() && i < k_most_plans; ++i) plans.push_back(std::move(ranked[i].plan));
+}
+
+/// Mirrored, reversed, or both: what a clip does then is known beforehand. `free_axis` (or -1) is the axis along which
+/// a clip may stand elsewhere than asked: the end of an axis is where its farthest clip is.
+void plan_images(const Workbench& bench, const ProjectSpace& space, std::span<const float> target, int free_axis,
+                 std::vector<Ranked>& ranked) {
+    for (const Source& source : sources(bench)) {
+        const ClipFacts& f = source.clip->facts;
+        if (is_idle(f)) continue;
+        for (const bool reversed : {false, true})
+            for (const bool mirrored : {true, false}) {
+                if (!reversed && !mirrored) continue;
+                const float along = reversed ? -1.0f : 1.0f, side = (mirrored ? -1.0f : 1.0f) * along;
+                const ClipFacts image = doing(f, along * f.forward, side * f.lateral, side * f.turn);
+                if (is_facing(image) != (space.name != "lateral") && space.name == "facing") continue;
+                const std::vector<float> place = place_of(space, image);
+                std::vector<float> asked(target.begin(), target.end());
+                double cost = 0;
+                if (free_axis >= 0) {
+                    const auto k = static_cast<std::size_t>(free_axis);
+                    if (place[k] * asked[k] <= 0) continue;
+                    cost = 0.1 * percent_apart(space, place, asked);
+                    asked[k] = place[k];
+                }
+                const double off = percent_apart(space, place, asked);
+                if (!(off <= k_near)) continue;
+                cost += off + (reversed ? 4.0 : 0.0) + (reversed && mirrored ? 4.0 : 0.0);
+                Planner planner(bench);
+                std::string from = source.clip->name;
+                if (mirrored) from = planner.make("mirror", {from}, {});
+                const std::string image_name = from;
+                if (reversed) from = planner.make("reverse", {from}, {});
+                planner.expect(space.space.axes, place);
+                if (mirrored && reversed)
+                    planner.exclude(image_name, fmt::format("only made to make \"{}\" of it", from));
+                ranked.push_back({cost, planner.done(fmt::format("\"{}\" made by {} \"{}\"", from,
+                                                                 mirrored && reversed ? "mirroring and reversing"
+                                                                 : mirrored           ? "mirroring"
+                                                                                      : "playing backwards",
+                                                                 source.clip->name))});
+            }
+    }
+}
+
+/// A clip that nearly does it, played faster or slower, or on another path.
+void plan_changes(const Workbench& bench, const ProjectSpace& space, std::span<const float> target,
+                  std::vector<Ranked>& ranked) {
+    const auto asked = [&](const char* axis) -> std::optional<float> {
+        for (std::size_t k = 0; k < space.space.axes.size(); ++k)
+            if (space.space.axes[k].name == axis) return target[k];
+        return {};
+    };
+    for (const Source& source : sources(bench)) {
+        const ClipFacts& f = source.clip->facts;
+        if (is_idle(f)) continue;
+        // "speed" is along the facing in the one space, "forward" and "lateral" are apart in the other.
+        const auto forward = asked("speed") ? asked("speed") : asked("forward");
+        const auto lateral = asked("lateral");
+        const auto turn = asked("turn");
+        const float pace = std::fabs(f.speed);
+        if (forward && lateral && is_facing(f) == false && pace > 0.1f) {
+            const float wanted = std::sqrt(*forward * *forward + *lateral * *lateral);
+            const float rate = wanted / pace;
+            const ClipFacts then = doing(f, rate * f.forward, rate * f.lateral, rate * f.turn);
+            if (rate >= k_slowest_retime && rate <= k_fastest_retime &&
+                percent_apart(space, place_of(space, then), target) <= k_near) {
+                Planner planner(bench);
+                const std::string made = planner.make("retime", {source.clip->name}, {{"rate", rate}});
+                planner.expect(space.space.axes, place_of(space, then));
+                ranked.push_back({10 + 10 * std::fabs(static_cast<double>(rate) - 1),
+                                  planner.done(fmt::format("\"{}\" made by playing \"{}\" {:.2f} times as fast", made,
+                                                           source.clip->name, rate))});
+            }
+        }
+        std::map<std::string, double> path;
+        double bend = 0;
+        if (turn && std::fabs(*turn - f.turn) > 0.5f) {
+            bend += static_cast<double>(std::fabs(*turn - f.turn) / k_most_turn);
+            if (std::fabs(*turn - f.turn) > k_most_turn) continue;
+            path["turn_deg_s"] = static_cast<double>(*turn);
+        }
+        if (forward && std::fabs(*forward - f.forward) > 0.01f) {
+            const double share =
+                static_cast<double>(std::fabs(*forward - f.forward)) / std::max(static_cast<double>(pace), 0.1);
+            if (share > k_most_pace) continue;
+            bend += share / k_most_pace;
+            path["forward_mps"] = static_cast<double>(*forward);
+        }
+        const float aside = lateral.value_or(0);
+        if (std::fabs(aside - f.lateral) > 0.01f && (lateral || std::fabs(f.lateral) < 0.2f * pace)) {
+            const double share =
+                static_cast<double>(std::fabs(aside - f.lateral)) / std::max(static_cast<double>(pace), 0.1);
+            if (share > k_most_pace) continue;
+            bend += share / k_most_pace;
+            path["lateral_mps"] = static_cast<double>(aside);
+        }
+        if (path.empty() || bend > 1.5) continue;
+        Planner planner(bench);
+        const std::string made = planner.make("steer", {source.clip->name}, path);
+        planner.expect(space.space.axes, target);
+        ranked.push_back({12 + 8 * bend, planner.done(fmt::format("\"{}\" made by bending the path of \"{}\"", made,
+                                                                  source.clip->name))});
+    }
+}
+
+/// Delicado & Pelechano, §3.2.1: between the two nearest samples on the axis on either side, by their distances.
+void plan_interpolation(const Workbench& bench, const ProjectSpace& space, std::span<const float> target, int axis,
+                        double on_axis, std::vector<RepairPlan>& plans) {
+    const PercentSpace percent(space);
+    SpacePoint at{};
+    std::copy(target.begin(), target.end(), at.begin());
+    std::array<int, 2> best{-1, -1};
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int a = 0; a < percent.count(); ++a)
+        for (int b = a + 1; b < percent.count(); ++b) {
+            if (std::fabs(percent.at(a, axis)) > on_axis || std::fabs(percent.at(b, axis)) > on_axis) continue;
+            const SpacePoint &p = space.space.samples[static_cast<std::size_t>(a)],
+                             &q = space.space.samples[static_cast<std::size_t>(b)];
+            const double whole = percent.distance(p, q), to_a = percent.distance(p, at), to_b = percent.distance(q, at);
+            // On either side, and the place is on the way from one to the other.
+            const bool between = to_a < whole && to_b < whole && to_a + to_b < whole + on_axis;
+            if (between && whole < shortest) shortest = whole, best = {a, b};
+        }
+    if (best[0] < 0) return;
+    const auto sample = [&](int i) { return space.space.samples[static_cast<std::size_t>(i)]; };
+    const double to_a = percent.distance(sample(best[0]), at), to_b = percent.distance(sample(best[1]), at);
+    const auto name = [&](int i) {
+        return bench.project.clips[static_cast<std::size_t>(space.clips[static_cast<std::size_t>(i)])].name;
+    };
+    for (const bool planted : {false, true}) {
+        Planner planner(bench);
+        std::string made = planner.make("interpolate", {name(best[0]), name(best[1])},
+                                        {{"weight_0", to_b / (to_a + to_b)}, {"weight_1", to_a / (to_a + to_b)}});
+        if (planted) {
+            const std::string mixed = made;
+            made = planner.make("plant", {mixed}, {});
+            planner.exclude(mixed, fmt::format("only made to make \"{}\" of it", made));
+        }
+        std::vector<float> promised;
+        for (int k = 0; k < percent.dimensions(); ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            promised.push_back(static_cast<float>(static_cast<double>(sample(best[0])[i]) * to_b / (to_a + to_b) +
+                                                  static_cast<double>(sample(best[1])[i]) * to_a / (to_a + to_b)));
+        }
+        planner.expect(space.space.axes, promised);
+        plans.push_back(planner.done(
+            fmt::format("\"{}\" interpolated between \"{}\" and \"{}\"", made, name(best[0]), name(best[1]))));
+    }
+}
+
+/// The straight walk that is nearest to a person's usual pace.
+const Source* walk_of(const std::vector<Source>& all) {
+    const Source* best = nullptr;
+    const auto unusual = [](const Source& s) {
+        constexpr float k_usual = 1.4f;  // [m/s]
+        return std::fabs(s.clip->facts.speed - k_usual) + 0.02f * std::fabs(s.clip->facts.turn);
+    };
+    for (const Source& source : all) {
+        const ClipFacts& f = source.clip->facts;
+        if (f.speed < 0.3f || std::fabs(f.travel) > 20 || !(f.cadence > 0)) continue;
+        if (!best || unusual(source) < unusual(*best)) best = &source;
+    }
+    return best;
+}
+
+/// A walk and its reverse, half and half, tread on the spot; with their feet held there and bent, they turn.
+void make_turns_on_the_spot(Planner& planner, const std::string& walk, float rate) {
+    const std::string back = planner.make("reverse", {walk}, {});
+    const std::string mixed = planner.make("interpolate", {walk, back}, {{"weight_0", 0.5}, {"weight_1", 0.5}});
+    const std::string treading = planner.make("plant", {mixed}, {});
+    const std::vector<Axis> axes{make_axis("speed"), make_axis("turn")};
+    for (const float side : {1.0f, -1.0f}) {
+        planner.make("steer", {treading}, {{"turn_deg_s", side * rate}, {"forward_mps", 0.0}, {"lateral_mps", 0.0}});
+        const float place[] = {0, side * rate};
+        planner.expect(axes, place);
+    }
+    for (const std::string& ingredient : {back, mixed, treading})
+        planner.exclude(ingredient, "only made to make turns on the spot of it");
+}
+
+/// Turns that nobody recorded, bent from the walk: they open the second dimension of a space that only knows speed.
+void plan_second_dimension(const Workbench& bench, const ProjectSpace& space, std::vector<RepairPlan>& plans) {
+    if (space.space.dimensions() != 1 || space.space.axes[0].name != "speed") return;
+    const std::vector<Source> all = sources(bench);
+    const Source* walk = walk_of(all);
+    if (!walk) return;
+    const std::vector<Axis> axes{make_axis("speed"), make_axis("turn")};
+    for (const float rate : {45.0f, 30.0f})
+        for (const bool on_the_spot : {true, false}) {
+            Planner planner(bench);
+            for (const float side : {1.0f, -1.0f}) {
+                // Exactly abreast of the walk: an edge past it by a hair would cross the axis.
+                const float speed = walk->clip->facts.speed;
+                planner.make(
+                    "steer", {walk->clip->name},
+                    {{"turn_deg_s", side * rate}, {"forward_mps", static_cast<double>(speed)}, {"lateral_mps", 0.0}});
+                const float place[] = {speed, side * rate};
+                planner.expect(axes, place);
+            }
+            if (on_the_spot) make_turns_on_the_spot(planner, walk->clip->name, k_spot_turn);
+            plans.push_back(planner.done(fmt::format("turns of {:.0f} deg/s to either side bent from \"{}\"{}", rate,
+                                                     walk->clip->name, on_the_spot ? ", and turns on the spot" : "")));
+        }
+}
+
+void plan_spot_turns(const Workbench& bench, const ProjectSpace& space, std::span<const float> target,
+                     std::vector<RepairPlan>& plans) {
+    const PercentSpace percent(space);
+    const int turn = percent.axis("turn"), speed = percent.axis("speed");
+    if (turn < 0 || speed < 0 || std::fabs(target[static_cast<std::size_t>(speed)]) > 0.1f) return;
+    const std::vector<Source> all = sources(bench);
+    const Source* walk = walk_of(all);
+    const float rate = std::fabs(target[static_cast<std::size_t>(turn)]);
+    if (!walk || rate < 20) return;
+    Planner planner(bench);
+    make_turns_on_the_spot(planner, walk->clip->name, rate);
+    plans.push_back(
+        planner.done(fmt::format("turns on the spot made of \"{}\" and its reverse, half and half", walk->clip->name)));
+}
+
+/// A new clip at a place.
+void plan_clip_at(const Workbench& bench, const ProjectSpace& space, const Finding& finding,
+                  std::vector<RepairPlan>& plans) {
+    const std::vector<float>& target = finding.fix->target;
+    if (target.size() != space.space.axes.size()) return;
+    const PercentSpace percent(space);
+    constexpr double k_on_axis = 5;  // [%] the paper's tau_chi
+    int free_axis = -1;
+    for (int k = 0; k < percent.dimensions(); ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (finding.rule == "crossing-axis" && std::fabs(percent.percent(static_cast<double>(target[i]), k)) < 0.01)
+            plan_interpolation(bench, space, target, k, k_on_axis, plans);
+        if (finding.rule == "missing-axis-end" && target[i] != 0) free_axis = k;
+    }
+    std::vector<Ranked> ranked;
+    plan_images(bench, space, target, free_axis, ranked);
+    // A sliver is no reason to bend a clip: it would come to lie beside the one it was bent from.
+    if (finding.rule != "acute-triangle") plan_changes(bench, space, target, ranked);
+    keep_best(ranked, plans);
+    plan_spot_turns(bench, space, target, plans);
+}
+
+/// The clip brought onto the axis takes the place of the one beside it.
+void plan_straightening(const Workbench& bench, const ProjectSpace& space, const Finding& finding,
+                        std::vector<RepairPlan>& plans) {
+    if (!finding.fix || finding.fix->target.size() != space.space.axes.size() || finding.clips.empty()) return;
+    const BenchClip* clip = bench.find(finding.clips.front());
+    if (!clip) return;
+    std::map<std::string, double> path;
+    for (std::size_t k = 0; k < space.space.axes.size(); ++k) {
+        const std::string& axis = space.space.axes[k].name;
+        const double aligned = static_cast<double>(finding.fix->target[k]);
+        if (std::fabs(aligned - static_cast<double>(finding.at[k])) < 1e-6) continue;
+        if (axis == "turn") path["turn_deg_s"] = aligned;
+        if (axis == "lateral") path["lateral_mps"] = aligned;
+        if (axis == "forward" || axis == "speed") path["forward_mps"] = aligned;
+        if (axis == "speed") path["lateral_mps"] = 0;
+    }
+    if (path.empty()) return;
+    Planner planner(bench);
+    const std::string& from = finding.clips.front();
+    const std::string made = planner.make("steer", {from}, path);
+    planner.expect(space.space.axes, finding.fix->target);
+    planner.exclude(from, fmt::format("\"{}\" is the same, brought onto the axis", made));
+    plans.push_back(planner.done(fmt::format("\"{}\" straightened, as \"{}\"", from, made)));
+}
+
+/// An edge along an axis, past a sample on it by a hair: its ends are brought onto the axis.
+void plan_ends_onto_axis(const Workbench& bench, const ProjectSpace& space, const Finding& finding,
+                         std::vector<RepairPlan>& plans) {
+    constexpr double k_beside = 5;  // [%] the paper's tau_chi
+    const PercentSpace percent(space);
+    Planner planner(bench);
+    std::string names;
+    for (int i = 0; i < percent.count(); ++i) {
+        const ProjectClip& clip =
+            bench.project.clips[static_cast<std::size_t>(space.clips[static_cast<std::size_t>(i)])];
+        if (std::find(finding.clips.begin(), finding.clips.end(), clip.name) == finding.clips.end()) continue;
+        std::map<std::string, double> path;
+        std::vector<float> place;
+        for (int k = 0; k < percent.dimensions(); ++k) {
+            const std::string& axis = space.space.axes[static_cast<std::size_t>(k)].name;
+            const double off = std::fabs(percent.at(i, k));
+            place.push_back(
+                off < k_beside ? 0.0f : space.space.samples[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]);
+            if (off == 0 || off >= k_beside) continue;
+            if (axis == "turn") path["turn_deg_s"] = 0;
+            if (axis == "lateral" || axis == "speed") path["lateral_mps"] = 0;
+            if (axis == "forward" || axis == "speed") path["forward_mps"] = 0;
+        }
+        if (path.empty()) continue;
+        const std::string made = planner.make("steer", {clip.name}, path);
+        planner.expect(space.space.axes, place);
+        planner.exclude(clip.name, fmt::format("\"{}\" is the same, brought onto the axis", made));
+        names += (names.empty() ? "\"" : " and \"") + clip.name + "\"";
+    }
+    if (!names.empty()) plans.push_back(planner.done(names + " brought onto the axis that they nearly lie on"));
+}
+
+/// Feet that slide in the clip itself are held to the ground.
+void plan_planting(const Workbench& bench, const Finding& finding, std::vector<RepairPlan>& plans) {
+    if (finding.clips.size() != 1) return;
+    Planner planner(bench);
+    const std::string& from = finding.clips.front();
+    const std::string made = planner.make("plant", {from}, {});
+    planner.exclude(from, fmt::format("\"{}\" is the same with its standing feet held to the ground", made));
+    plans.push_back(planner.done(fmt::format("the feet of \"{}\" held to the ground, as \"{}\"", from, made)));
+}
+
+/// How far a clip's poses are from those of the others it would be blended with.
+double strangeness(const Workbench& bench, const ProjectSpace& space, const std::string& name) {
+    const BenchClip* own = bench.find(name);
+    double sum = 0;
+    int count = 0;
+    for (const int c : space.clips) {
+        const BenchClip* other = bench.clips[static_cast<std::size_t>(c)].get();
+        if (!own || !other || own == other) continue;
+        const float apart = pose_distance(own->poses, other->poses);
+        if (std::isfinite(apart)) sum += static_cast<double>(apart), ++count;
+    }
+    return count > 0 ? sum / count : 0;
+}
+
+/// One of two is left out: what lies off the axes, then a made clip before a recorded one, then the one whose poses are
+/// farther from the others'.
+void plan_keeping_one(const Workbench& bench, const ProjectSpace& space, const Finding& finding,
+                      std::vector<RepairPlan>& plans) {
+    if (finding.clips.size() != 2) return;
+    std::string keep = finding.clips[0], drop = finding.clips[1];
+    const auto made = [&](const std::string& name) {
+        const int index = bench.project.find_clip(name);
+        return index >= 0 && bench.project.clips[static_cast<std::size_t>(index)].made();
+    };
+    // The main directions are worth more than what lies between them.
+    const auto off_axis = [&](const std::string& name) {
+        const PercentSpace percent(space);
+        double least = 100;
+        for (int i = 0; i < percent.count(); ++i)
+            if (bench.project.clips[static_cast<std::size_t>(space.clips[static_cast<std::size_t>(i)])].name == name)
+                for (int k = 0; percent.dimensions() > 1 && k < percent.dimensions(); ++k)
+                    least = std::min(least, std::fabs(percent.at(i, k)));
+        return least;
+    };
+    constexpr double k_matters = 1.5;  // [%]
+    const double nearer = off_axis(keep) - off_axis(drop);
+    const bool stranger = strangeness(bench, space, keep) > strangeness(bench, space, drop) + 1e-4;
+    if (std::fabs(nearer) > k_matters ? nearer > 0 : made(keep) != made(drop) ? made(keep) : stranger)
+        std::swap(keep, drop);
+    for (int turn = 0; turn < 2; ++turn, std::swap(keep, drop)) {
+        Planner planner(bench);
+        planner.exclude(drop,
+                        finding.rule == "dissimilar-neighbours"
+                            ? fmt::format("it moves in another style than \"{}\" and the rest of the space: for "
+                                          "a state of its own",
+                                          keep)
+                            : fmt::format("it stands beside \"{}\", whose poses fit the other clips better", keep));
+        plans.push_back(planner.done(fmt::format("\"{}\" kept and \"{}\" left out", keep, drop)));
+    }
+}
+
+/// The other diagonal of the two triangles at an edge.
+void plan_flip(const Workbench& bench, const ProjectSpace& space, const std::string& a, const std::string& b,
+               std::vector<RepairPlan>& plans) {
+    if (space.space.dimensions() != 2) return;
+    const auto name = [&](std::int32_t sample) {
+        return bench.project.clips[static_cast<std::size_t>(space.clips[static_cast<std::size_t>(sample)])].name;
+    };
+    std::vector<std::string> corners;
+    for (const Simplex& simplex : space.space.simplices) {
+        bool has_a = false, has_b = false;
+        std::string third;
+        for (int k = 0; k < 3 && simplex[static_cast<std::size_t>(k)] >= 0; ++k) {
+            const std::string corner = name(simplex[static_cast<std::size_t>(k)]);
+            has_a |= corner == a, has_b |= corner == b;
+            if (corner != a && corner != b) third = corner;
+        }
+        if (has_a && has_b && !third.empty()) corners.push_back(third);
+    }
+    if (corners.size() != 2) return;
+    std::sort(corners.begin(), corners.end());
+    Planner planner(bench);
+    planner.lock(space.name, corners[0], corners[1]);
+    plans.push_back(planner.done(
+        fmt::format("\"{}\" and \"{}\" joined in place of \"{}\" and \"{}\"", corners[0], corners[1], a, b)));
+}
+
+/// Crouching among upright clips, or upright among crouching ones: what most of the space does stays.
+void plan_posture(const Workbench& bench, const ProjectSpace& space, const Finding& finding,
+                  std::vector<RepairPlan>& plans) {
+    constexpr float k_other_posture = 0.12f;  // of the hips' height
+    std::vector<float> heights;
+    for (const int c : space.clips)
+        heights.push_back(bench.project.clips[static_cast<std::size_t>(c)].facts.hip_height);
+    std::nth_element(heights.begin(), heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2), heights.end());
+    const float usual = heights[heights.size() / 2];
+    for (const std::string& name : finding.clips) {
+        const int index = bench.project.find_clip(name);
+        if (index < 0) continue;
+        const float own = bench.project.clips[static_cast<std::size_t>(index)].facts.hip_height;
+        if (std::fabs(own - usual) <= k_other_posture * usual) continue;
+        Planner planner(bench);
+        planner.exclude(name,
+                        fmt::format("its hips are {:.2f} m up, those of the other clips {:.2f} m: a posture for a "
+                                    "space of its own",
+                                    own, usual));
+        plans.push_back(planner.done(fmt::format("\"{}\" left out for its posture", name)));
+    }
+}
+
+void plan_leaving_out(const Workbench& bench, const Finding& finding, const std::string& reason,
+                      std::vector<RepairPlan>& plans) {
+    for (const std::string& name : finding.clips) {
+        Planner planner(bench);
+        planner.exclude(name, reason);
+        plans.push_back(planner.done(fmt::format("\"{}\" left out", name)));
+    }
+}
+
+}  // namespace
+
+std::vector<RepairPlan> repair_plans(const Workbench& bench, const Finding& finding) {
+    std::vector<RepairPlan> plans;
+    if (finding.rule == "phase-mismatch") {
+        plan_leaving_out(bench, finding, "its foot strikes were not found, so it cannot be kept in step", plans);
+        return plans;
+    }
+    if (finding.rule == "skating-clip") plan_planting(bench, finding, plans);
+    const ProjectSpace* space = bench.project.find_space(finding.space);
+    if (!space) return plans;
+    const bool edge = finding.clips.size() == 2;
+    if (finding.rule == "degenerate-space") plan_second_dimension(bench, *space, plans);
+    if (finding.rule == "acute-triangle" && finding.clips.size() == 3)
+        for (std::size_t k = 0; k < 3; ++k)
+            plan_flip(bench, *space, finding.clips[k], finding.clips[(k + 1) % 3], plans);
+    if (edge && finding.rule == "crossing-axis") plan_ends_onto_axis(bench, *space, finding, plans);
+    if (finding.rule == "misaligned") plan_straightening(bench, *space, finding, plans);
+    if (finding.rule == "crossing-axis" || finding.rule == "missing-axis-end" || finding.rule == "missing-idle" ||
+        finding.rule == "acute-triangle" || finding.rule == "uncovered" || finding.rule == "opposite-directions")
+        if (finding.fix && !finding.fix->target.empty()) plan_clip_at(bench, *space, finding, plans);
+    if (finding.rule == "too-close" || finding.rule == "duplicate") {
+        plan_posture(bench, *space, finding, plans);
+        plan_keeping_one(bench, *space, finding, plans);
+    }
+    if (edge && (finding.rule == "crossing-axis" || finding.rule == "opposite-directions" ||
+                 finding.rule == "dissimilar-neighbours"))
+        plan_flip(bench, *space, finding.clips[0], finding.clips[1], plans);
+    if (finding.rule == "dissimilar-neighbours") plan_posture(bench, *space, finding, plans);
+    // Where nothing else helps against an error, one of the two goes.
+    if (edge && finding.severity == Severity::error &&
+        (finding.rule == "crossing-axis" || finding.rule == "opposite-directions"))
+        plan_keeping_one(bench, *space, finding, plans);
+    return plans;
+}
+
+}  // namespace surefoot
