@@ -40,7 +40,8 @@ bool gather(std::span<const PackedClip> clips, const LocomotionFrame& frame, std
         constexpr float k_slowest = 1e-3f;  // [m/s] so that clips that stamp on the spot have a say among themselves
         const float speed = clip.cycles > 0 ? std::max(foot_speed(clip.velocity, clip.turn_rate), k_slowest) : 0.0f;
         FootLeaf& out = leaves.leaf[leaves.count++];
-        out = {&clip, &clip.feet[side], leaf.weight, leaf.weight * speed, leaf.time};
+        // What extrapolation takes off has its say about timing, too.
+        out = {&clip, &clip.feet[side], leaf.weight, std::fabs(leaf.weight) * speed, leaf.time};
         if (clip.cycles > 0) out.step = static_cast<int>(step % static_cast<std::uint32_t>(clip.cycles));
         weights += leaf.weight;
         says += out.say;

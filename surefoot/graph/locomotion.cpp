@@ -205,21 +205,25 @@ float leaf_time(const PackedClip& clip, const LocomotionState& state) noexcept {
     return time_at(clip, phase_in(clip, state.phase, state.cycle));
 }
 
-/// One leaf a clip, though several spaces may hold it (an idle). Returns how many.
+/// One leaf a clip, though several spaces may hold it (an idle). What is taken off comes last: signs of rotations are
+/// told by what is there already. Returns how many.
 int make_leaves(const LocomotionGraph& graph, const Mix& mix, const LocomotionState& state,
                 std::span<Leaf> leaves) noexcept {
     int count = 0;
-    for (int i = 0; i < mix.count; ++i) {
-        const Active& a = mix.active[i];
+    const auto add = [&](const Active& a) noexcept {
         int at = 0;
         while (at < count && leaves[static_cast<std::size_t>(at)].clip != a.clip) ++at;
         if (at < count) {
             leaves[static_cast<std::size_t>(at)].weight += a.weight;
-            continue;
+            return;
         }
         const PackedClip& clip = graph.clips[static_cast<std::size_t>(a.clip)];
         leaves[static_cast<std::size_t>(count++)] = {a.clip, leaf_time(clip, state), a.weight};
-    }
+    };
+    for (int i = 0; i < mix.count; ++i)
+        if (mix.active[i].weight >= 0) add(mix.active[i]);
+    for (int i = 0; i < mix.count; ++i)
+        if (mix.active[i].weight < 0) add(mix.active[i]);
     return count;
 }
 

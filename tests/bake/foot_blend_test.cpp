@@ -29,10 +29,11 @@ struct Footwork {
 };
 
 /// Walks two cycles as asked and looks at heels and balls. `blend_feet` off: joint angles alone.
-Footwork walk(const LocomotionRequest& request, bool feet) {
+Footwork walk(const LocomotionRequest& request, bool feet, Outside outside = Outside::clamp) {
     const Character& character = default_character();
     LocomotionGraph graph = character.graph;
     if (!feet) graph.legs = {};
+    graph.facing.space.outside = outside;
     const std::size_t joints = character.skeleton->rest.size();
     std::vector<Transform> locals(joints), models(joints);
     LocomotionState state;
@@ -77,6 +78,25 @@ TEST(FootBlend, planted_feet_of_blends_stand_still_and_on_the_ground) {
                                  std::to_string(request.lateral) + " m/s to the left: ";
         EXPECT_LT(work.slide, 0.03f) << what;
         EXPECT_LT(work.deepest, 0.006f) << what;
+    }
+}
+
+TEST(FootBlend, feet_of_extrapolated_poses_stand_still_too) {
+    LocomotionGraph graph = default_character().graph;
+    graph.facing.space.outside = Outside::extrapolate;
+    float fastest = 0;
+    for (const SpacePoint& sample : graph.facing.space.samples) fastest = std::max(fastest, sample[0]);
+    const Footwork lone = walk({fastest, 0, 0}, true);
+    for (const float more : {0.1f, 0.2f}) {
+        const LocomotionRequest request{fastest + more, 0, 0};
+        LocomotionState state;
+        const LocomotionFrame frame = update(graph, state, request, k_dt);
+        EXPECT_FALSE(frame.clamped);
+        EXPECT_NEAR(frame.velocity.z, request.speed, 1e-3);
+        EXPECT_LT(frame.leaves().back().weight, 0);  // what is taken off comes last
+        const Footwork work = walk(request, true, Outside::extrapolate);
+        EXPECT_LT(work.slide, 1.2f * lone.slide + 0.01f) << more;
+        EXPECT_LT(work.deepest, lone.deepest + 0.005f) << more;
     }
 }
 
