@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace surefoot {
 namespace {
@@ -172,6 +173,26 @@ BlendWeights blend_weights(const BlendSpace& space, const SpacePoint& point, std
     return result;
 }
 
+namespace {
+
+constexpr std::string_view k_weightings[] = {"barycentric", "gradient-band", "gradient-band-polar", "axis-distance"};
+constexpr std::string_view k_outsides[] = {"clamp", "extrapolate"};
+
+}  // namespace
+
+std::string_view name_of(Weighting weighting) noexcept { return k_weightings[static_cast<std::size_t>(weighting)]; }
+std::optional<Weighting> weighting_named(std::string_view name) noexcept {
+    for (std::size_t i = 0; i < std::size(k_weightings); ++i)
+        if (k_weightings[i] == name) return static_cast<Weighting>(i);
+    return std::nullopt;
+}
+std::string_view name_of(Outside outside) noexcept { return k_outsides[static_cast<std::size_t>(outside)]; }
+std::optional<Outside> outside_named(std::string_view name) noexcept {
+    for (std::size_t i = 0; i < std::size(k_outsides); ++i)
+        if (k_outsides[i] == name) return static_cast<Outside>(i);
+    return std::nullopt;
+}
+
 std::string problem(const BlendSpace& space) {
     const int d = space.dimensions();
     if (d < 1 || d > k_max_dimensions) return "a blend space has 1 to 4 axes, not " + std::to_string(d);
@@ -192,6 +213,8 @@ std::string problem(const BlendSpace& space) {
         const std::int32_t of = space.copy_of[i];
         if (of < 0 || of > static_cast<std::int32_t>(i) || space.copy_of[of] != of)
             return "sample " + std::to_string(i) + " is a copy of something that is no original";
+        if (of == static_cast<std::int32_t>(i) && of >= space.original_count())
+            return "sample " + std::to_string(i) + " is an original behind copies";
     }
     if (space.neighbours.size() != space.simplices.size())
         return "there are " + std::to_string(space.simplices.size()) + " simplices but neighbours of " +

@@ -10,8 +10,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace surefoot {
@@ -39,11 +41,19 @@ enum class Weighting : std::uint8_t {
     axis_distance  ///< by distance, the nearest only: MechWarrior's axis blending (in Colvin & Kajala 2013, §II)
 };
 
+/// "barycentric", "gradient-band", "gradient-band-polar", "axis-distance".
+std::string_view name_of(Weighting weighting) noexcept;
+std::optional<Weighting> weighting_named(std::string_view name) noexcept;
+
 /// What barycentric weights do for a point outside the hull.
 enum class Outside : std::uint8_t {
     clamp,       ///< they are those of the nearest point of the hull
     extrapolate  ///< they go on beyond it as they ran up to it, some below 0, others above 1, within a bound
 };
+
+/// "clamp", "extrapolate".
+std::string_view name_of(Outside outside) noexcept;
+std::optional<Outside> outside_named(std::string_view name) noexcept;
 
 struct BlendSpace {
     std::vector<Axis> axes;           ///< 1 to 4
@@ -60,6 +70,12 @@ struct BlendSpace {
     float extrapolation_bound = 0.25f;  ///< [Limit: 0 … 1] extrapolated weights stay within -bound … 1 + bound
 
     std::int32_t original(std::int32_t sample) const noexcept { return copy_of.empty() ? sample : copy_of[sample]; }
+    /// Samples that are no copies; they come first.
+    std::int32_t original_count() const noexcept {
+        std::int32_t count = 0;
+        while (count < static_cast<std::int32_t>(samples.size()) && original(count) == count) ++count;
+        return count;
+    }
     int dimensions() const noexcept { return static_cast<int>(axes.size()); }
 };
 

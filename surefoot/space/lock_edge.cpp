@@ -93,19 +93,41 @@ class Flipper {
 
 }  // namespace
 
+namespace {
+
+bool is_sample(const BlendSpace& space, std::int32_t i) {
+    return i >= 0 && i < static_cast<std::int32_t>(space.samples.size());
+}
+
+}  // namespace
+
 bool has_edge(const BlendSpace& space, std::int32_t a, std::int32_t b) noexcept {
-    for (const Simplex& simplex : space.simplices)
-        if (std::find(simplex.begin(), simplex.end(), a) != simplex.end() &&
-            std::find(simplex.begin(), simplex.end(), b) != simplex.end())
+    const auto holds = [&](const Simplex& simplex, std::int32_t sample) {
+        return std::any_of(simplex.begin(), simplex.end(),
+                           [&](std::int32_t s) { return s >= 0 && space.original(s) == space.original(sample); });
+    };
+    return std::any_of(space.simplices.begin(), space.simplices.end(),
+                       [&](const Simplex& simplex) { return holds(simplex, a) && holds(simplex, b); });
+}
+
+bool has_simplex(const BlendSpace& space, std::span<const std::int32_t> corners) noexcept {
+    for (const Simplex& simplex : space.simplices) {
+        const auto end = std::find(simplex.begin(), simplex.end(), -1);
+        const auto has = [&](std::int32_t corner) {
+            return std::any_of(simplex.begin(), end, [&](std::int32_t s) { return space.original(s) == corner; });
+        };
+        if (static_cast<std::size_t>(end - simplex.begin()) == corners.size() &&
+            std::all_of(corners.begin(), corners.end(), [&](std::int32_t c) { return has(space.original(c)); }))
             return true;
+    }
     return false;
 }
 
 bool lock_edge(BlendSpace& space, std::int32_t a, std::int32_t b, std::span<const Edge> locked) {
-    const auto count = static_cast<std::int32_t>(space.samples.size());
-    if (a < 0 || b < 0 || a >= count || b >= count || a == b) return false;
+    if (!is_sample(space, a) || !is_sample(space, b) || a == b) return false;
     if (has_edge(space, a, b)) return true;
-    if (space.dimensions() != 2 || space.simplices.empty() || space.simplices[0][2] < 0) return false;
+    const bool flat = space.simplices.empty() || space.simplices[0][space.dimensions()] < 0;
+    if (space.dimensions() != 2 || flat || !space.copy_of.empty()) return false;
     Flipper flipper(space);
     const Edge wanted{a, b};
     for (const Edge& other : locked)
@@ -126,6 +148,26 @@ bool lock_edge(BlendSpace& space, std::int32_t a, std::int32_t b, std::span<cons
     }
     flipper.finish(space);
     return has_edge(space, a, b);
+}
+
+bool lock_simplex(BlendSpace& space, std::span<const std::int32_t> corners, std::span<const Edge> locked) {
+    const auto count = static_cast<std::size_t>(space.dimensions()) + 1;
+    if (corners.size() != count) return false;
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (!is_sample(space, corners[i]) || !is_sample(space, corners[j]) || corners[i] == corners[j])
+                return false;
+    if (space.dimensions() != 2) return has_simplex(space, corners);
+    BlendSpace changed = space;
+    std::vector<Edge> held(locked.begin(), locked.end());
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Edge edge{corners[i], corners[(i + 1) % 3]};
+        if (!lock_edge(changed, edge[0], edge[1], held)) return false;
+        held.push_back(edge);
+    }
+    if (!has_simplex(changed, corners)) return false;
+    space = std::move(changed);
+    return true;
 }
 
 }  // namespace surefoot

@@ -65,7 +65,6 @@ int Lookup::corners(const Simplex& simplex, int without, ScaledPoint* points, in
     return count;
 }
 
-/// Barycentric weights of `p` in a full simplex; false where it is flat in floating point.
 bool Lookup::barycentric(const Simplex& simplex, const ScaledPoint& p, CornerWeights& w) const noexcept {
     const ScaledPoint origin = scaled(space_.samples[simplex[0]]);
     double m[k_max_dimensions][k_max_dimensions + 1];

@@ -32,11 +32,12 @@ class Lookup {
     int dimensions() const noexcept { return d_; }
 
     Located locate(const ScaledPoint& p, std::int32_t hint) const noexcept;
+    /// Weights of a point in a simplex of dimensions + 1 corners; false where it is flat in floating point.
+    bool barycentric(const Simplex& simplex, const ScaledPoint& p, CornerWeights& w) const noexcept;
 
   private:
     bool is_full(const Simplex& simplex) const noexcept { return simplex[d_] >= 0; }
     int corners(const Simplex& simplex, int without, ScaledPoint* points, int* slots) const noexcept;
-    bool barycentric(const Simplex& simplex, const ScaledPoint& p, CornerWeights& w) const noexcept;
     double nearest(const ScaledPoint& p, const ScaledPoint* corner, int count, double* w) const noexcept;
     bool project(const ScaledPoint& p, const ScaledPoint* corner, int count, double* w) const noexcept;
     double nearest_face(const ScaledPoint& p, const ScaledPoint* corner, int count, double* w,
