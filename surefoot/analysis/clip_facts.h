@@ -5,6 +5,7 @@
 
 #include <surefoot/rig/leg.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,6 +61,9 @@ struct ClipFacts {
     float height = 0;                   ///< [m] of the character
     float unit_scale = 1;               ///< factor that turned the file's units into metres
     std::vector<std::string> warnings;
+
+    /// Numbers that a person gave the clip (io/sidecar.h): values on axes of their own, by name.
+    std::map<std::string, float> custom;
 };
 
 }  // namespace surefoot

@@ -30,6 +30,12 @@ Json events_json(const std::vector<PhaseEvent>& events) {
     return list;
 }
 
+Json custom_json(const std::map<std::string, float>& custom) {
+    Json json = Json::object();
+    for (const auto& [name, value] : custom) json[name] = number(value);
+    return json;
+}
+
 std::string contact_letters(const std::vector<Contact>& contacts) {
     std::string letters;
     for (const Contact contact : contacts) letters += k_contact_letters[static_cast<std::size_t>(contact)];
@@ -77,6 +83,16 @@ class FactsReader {
         for (const Json& item : *found) {
             if (!item.is_string()) fail(key, "a list of texts");
             values.push_back(item.get<std::string>());
+        }
+    }
+    void read(const char* key, std::map<std::string, float>& values) const {
+        const Json* found = find(key);
+        if (!found) return;
+        if (!found->is_object()) fail(key, "an object of numbers");
+        values.clear();
+        for (const auto& [name, value] : found->items()) {
+            if (!value.is_number()) fail(std::string(key) + "/" + name, "a number");
+            values[name] = value.get<float>();
         }
     }
     void read(const char* key, std::vector<Contact>& contacts) const {
@@ -155,6 +171,7 @@ Json facts_to_json(const ClipFacts& facts, FactsDetail detail) {
         {"unit_scale", number(facts.unit_scale)},
         {"warnings", facts.warnings},
     };
+    if (!facts.custom.empty()) json["custom"] = custom_json(facts.custom);
     if (!full) return json;
     json["climb_mps"] = number(facts.climb);
     json["locomotion"] = facts.locomotion;
@@ -197,6 +214,7 @@ ClipFacts facts_from_json(const Json& json, const std::string& where) {
     reader.read("height_m", facts.height);
     reader.read("unit_scale", facts.unit_scale);
     reader.read("warnings", facts.warnings);
+    reader.read("custom", facts.custom);
     reader.read("climb_mps", facts.climb);
     reader.read("locomotion", facts.locomotion);
     reader.read("not_locomotion", facts.not_locomotion);

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace surefoot {
 namespace {
@@ -41,6 +42,7 @@ MeasuredClip measure(LoadedClip loaded, const RoleOverrides& overrides) {
     try {
         AnalyzedClip clip = analyze_clip(std::move(loaded.motion), loaded.file, loaded.unit_scale, overrides);
         clip.facts.warnings.insert(clip.facts.warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
+        clip.facts.custom = loaded.custom;
         std::vector<std::string> provenance;
         if (clip.facts.in_place) provenance.push_back("in place: its root motion was made from the planted feet");
         // A long take may jump or sit somewhere and still hold steady cycles; each of those is judged by itself.
@@ -64,6 +66,7 @@ MeasuredClip measure(LoadedClip loaded, const RoleOverrides& overrides) {
         for (AnalyzedClip& cycle : cycles) {
             Candidate candidate{std::move(cycle), provenance, true};
             ClipFacts& facts = candidate.clip.facts;
+            facts.custom = loaded.custom;
             if (single && !is_take) facts.name = clip.facts.name;  // a take called "Run1" may hold one walk
             candidate.provenance.push_back(
                 fmt::format("cut from frames {} to {}", candidate.clip.source_first, candidate.clip.source_last));
@@ -104,10 +107,11 @@ class Places {
             range_[k] = static_cast<double>(axis.high) - axis.low;
         }
     }
-    /// Infinite for clips of different spaces.
+    /// Infinite for clips of different spaces, and of different numbers of the user's own.
     double distance(std::size_t a, std::size_t b) const {
         const bool facing = is_facing(clips_[a].clip.facts);
         if (facing != is_facing(clips_[b].clip.facts)) return 1e300;
+        if (clips_[a].clip.facts.custom != clips_[b].clip.facts.custom) return 1e300;
         double square = 0;
         for (int k = facing ? 0 : 2; k < (facing ? 2 : 4); ++k) {
             const double delta = 100 * (static_cast<double>(value(clips_[a], k)) - value(clips_[b], k)) / range_[k];
@@ -168,8 +172,8 @@ bool says_idle(std::string name) {
     return name.find("idle") != std::string::npos || name.find("stand") != std::string::npos;
 }
 
-/// All clips that stand share the origin of a space, where one of them can be: the one whose pose is nearest to those
-/// of the moving clips. The others are for states of their own.
+/// All clips that stand share the origin of a space, where one of them can be (one for each set of the user's own
+/// numbers): the one whose pose is nearest to those of the moving clips. The others are for states of their own.
 void keep_one_idle(Gathered& gathered) {
     std::vector<std::size_t> idles;
     std::vector<PoseTable> moving;
@@ -185,20 +189,24 @@ void keep_one_idle(Gathered& gathered) {
     }
     if (idles.size() < 2) return;
     constexpr double k_name_bonus = 0.05;  // [m] that a clip called idle may be farther away
-    std::size_t best = idles.front();
-    double least = 1e300;
+    struct Best {
+        std::size_t clip = 0;
+        double apart = 1e300;
+    };
+    std::map<std::map<std::string, float>, Best> best;
     for (const std::size_t i : idles) {
         const PoseTable own = table(gathered.kept[i]);
         double apart = says_idle(gathered.kept[i].clip.facts.name) ? 0 : k_name_bonus;
         for (const PoseTable& other : moving) apart += pose_distance(own, other) / static_cast<double>(moving.size());
-        if (apart < least) least = apart, best = i;
+        Best& of_kind = best[gathered.kept[i].clip.facts.custom];
+        if (apart < of_kind.apart) of_kind = {i, apart};
     }
     std::vector<std::string> reason(gathered.kept.size());
     for (const std::size_t i : idles)
-        if (i != best)
+        if (const std::size_t other = best[gathered.kept[i].clip.facts.custom].clip; i != other)
             reason[i] = fmt::format(
                 "it stands, as \"{}\" does, whose pose is nearer to the moving clips; a space has room for one idle",
-                gathered.kept[best].clip.facts.name);
+                gathered.kept[other].clip.facts.name);
     leave_out(gathered, reason);
 }
 

@@ -3,6 +3,7 @@
 
 #include <surefoot/motion/motion.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct LoadedClip {
     std::string extras;
     /// The order of rotation channels of a BVH file ("ZYX"), for writing it back; empty elsewhere.
     std::string rotation_order;
+    /// Numbers that a person set for the clip in a file beside it (io/sidecar.h): axis name to value.
+    std::map<std::string, float> custom;
 };
 
 }  // namespace surefoot

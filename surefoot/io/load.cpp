@@ -7,6 +7,7 @@
 #include <surefoot/io/clip_name.h>
 #include <surefoot/io/gltf.h>
 #include <surefoot/io/load.h>
+#include <surefoot/io/sidecar.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -89,8 +90,11 @@ std::vector<LoadedClip> pick_clip(std::vector<LoadedClip> clips, const Wanted& w
 Outcome read_one(const Wanted& wanted, const LoadOptions& options) {
     Outcome outcome;
     try {
-        outcome.clips = read_clips(read_file(wanted.path), wanted.path, options);
-        if (wanted.pick) outcome.clips = pick_clip(std::move(outcome.clips), wanted);
+        std::vector<LoadedClip> clips = read_clips(read_file(wanted.path), wanted.path, options);
+        const std::string sidecar = sidecar_path(wanted.path);
+        std::error_code ignored;
+        if (fs::exists(sidecar, ignored)) apply_sidecar(read_file(sidecar), sidecar, clips);
+        outcome.clips = wanted.pick ? pick_clip(std::move(clips), wanted) : std::move(clips);
     } catch (const std::bad_alloc&) {
         outcome.error = Error("not enough memory for this file", wanted.path, "split it").what();
     } catch (const std::exception& error) {

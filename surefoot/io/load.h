@@ -23,7 +23,8 @@ struct LoadResult {
 /// Reads every clip of `paths`: files (.bvh, .glb, .gltf, .fbx, .dae), folders (searched recursively), and `FILE#NAME`
 /// or `FILE#3` (counted from 0) for one clip of a file. Files are read in parallel; the result does not depend on the
 /// thread count. A file that cannot be read is listed in `failed` and the rest go on. Clips of equal skeletons share
-/// one Skeleton. Does not throw for bad input.
+/// one Skeleton. A sidecar beside a file gives its clips
+/// numbers of the user's own (io/sidecar.h). Does not throw for bad input.
 LoadResult load_clips(std::span<const std::string> paths, const LoadOptions& options = {});
 
 /// All clips of one file given as bytes; `where` is its name as shown in messages and decides the format by its
