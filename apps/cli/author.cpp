@@ -24,8 +24,9 @@ namespace {
 
 struct Options {
     std::vector<std::string> clips;
-    std::string folder, name, skeleton;
+    std::string folder, name, skeleton, weighting;
     std::vector<std::string> axes, styles, upper_styles;
+    float extrapolate = -1;
     double unit_scale = 0;
     bool strict = false, use_default = false, no_mannequin = false, no_retarget = false, json = false, probe = false, fix = false;
     int grid = 0, probe_grid = 0;
@@ -102,6 +103,8 @@ int run(const Options& options) {
     author.axes = options.axes;
     for (const std::string& style : options.styles) author.styles.push_back(StyleOption::parse(style, false));
     for (const std::string& style : options.upper_styles) author.styles.push_back(StyleOption::parse(style, true));
+    if (!options.weighting.empty()) author.weighting = weighting_named(options.weighting);
+    if (options.extrapolate >= 0) author.extrapolate = options.extrapolate;
     author.unit_scale = options.unit_scale;
     author.mannequin = !options.no_mannequin;
     author.grid = options.grid;
@@ -141,7 +144,8 @@ const Command k_author{
         app.add_option("clips", options->clips, "files or folders of .bvh, .glb, .gltf, .fbx; FILE#NAME for one clip");
         app.add_option("-o,--output", options->folder, "folder for project.json, report.html and clips")->required();
         app.add_flag("--default", options->use_default, "use the generated set of clips where none is given");
-        app.add_option("--axes", options->axes, "axes of a space, as speed,turn or forward,lateral (repeatable)")
+        app.add_option("--axes", options->axes,
+                       "axes of a space, up to four, as speed,turn or forward,lateral,style (repeatable)")
             ->allow_extra_args(false);
         app.add_option(
                "--style", options->styles,
@@ -149,6 +153,12 @@ const Command k_author{
             ->allow_extra_args(false);
         app.add_option("--upper-style", options->upper_styles, "the same, for the upper body alone")
             ->allow_extra_args(false);
+        app.add_option("--weighting", options->weighting, "how samples are weighed (default: barycentric)")
+            ->check(CLI::IsMember({"barycentric", "gradient-band", "gradient-band-polar", "axis-distance"}));
+        app.add_option("--extrapolate", options->extrapolate,
+                       "outside the clips let weights go on by so much, at most (default: 0, they are clamped)")
+            ->check(CLI::Range(0.0, 1.0))
+            ->check(is_number);
         app.add_option("--name", options->name, "title of the project");
         app.add_option("--unit-scale", options->unit_scale, "metres per unit of the files (default: guessed)")
             ->check(CLI::Range(1e-9, 1e9))

@@ -10,6 +10,7 @@
 #include <surefoot/host/files.h>
 #include <surefoot/io/load.h>
 
+#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace surefoot::cli {
 
@@ -25,6 +27,7 @@ namespace {
 struct Options {
     std::string project, course = "hills", path = "straight", ik = "surefoot";
     std::string out, metrics, filmstrip, style;
+    std::vector<std::string> set;
     float grade = 15, speed = 1.4f, seconds = 10;
     bool json = false, all = false;
 };
@@ -39,6 +42,8 @@ struct Walking {
 
 /// The cycle of a clip file whose speed is nearest to the one asked for.
 void load_clip(const Options& options, Walking& walking) {
+    if (!options.set.empty())
+        throw Error("a clip has no axes to set", "--set", "walk a project made by 'surefoot author'");
     const std::string paths[] = {options.project};
     const LoadResult loaded = load_clips(paths);
     if (!loaded.failed.empty()) throw Error(loaded.failed.front().error, "", "");
@@ -62,26 +67,49 @@ void load_clip(const Options& options, Walking& walking) {
 }
 
 /// "drunk=0.5", or "drunk" for all of it.
-LocomotionRequest manner_from(const std::string& text, const LocomotionGraph& graph) {
-    LocomotionRequest manner;
-    if (text.empty()) return manner;
+void set_style(const std::string& text, const LocomotionGraph& graph, LocomotionRequest& request) {
+    if (text.empty()) return;
     const std::size_t at = text.find('=');
     const std::string name = text.substr(0, at);
     std::string known;
     for (std::size_t i = 0; i < graph.styles.size(); ++i) {
-        if (graph.styles[i].name == name) manner.style = static_cast<std::int32_t>(i);
+        if (graph.styles[i].name == name) request.style = static_cast<std::int32_t>(i);
         known += (i > 0 ? ", " : "") + graph.styles[i].name;
     }
-    if (manner.style < 0)
+    if (request.style < 0)
         throw Error("the project has no style \"" + name + "\"", "--style",
                     known.empty() ? "make one with `surefoot author --style NAME=PATTERN`" : "it has " + known);
-    manner.style_weight = 1;
-    if (at == std::string::npos) return manner;
+    request.style_weight = 1;
+    if (at == std::string::npos) return;
     const std::string number = text.substr(at + 1);
-    if (!CLI::detail::lexical_cast(number, manner.style_weight) ||
-        !(manner.style_weight >= 0 && manner.style_weight <= 1))
+    if (!CLI::detail::lexical_cast(number, request.style_weight) ||
+        !(request.style_weight >= 0 && request.style_weight <= 1))
         throw Error("\"" + number + "\" is no weight", "--style", "give a number from 0 to 1");
-    return manner;
+}
+
+/// "style=0.5" and the like, on axes that the character's spaces have.
+LocomotionRequest request_of(const Options& options, const LocomotionGraph& graph) {
+    LocomotionRequest request;
+    request.speed = options.speed;
+    set_style(options.style, graph, request);
+    for (const std::string& text : options.set) {
+        const std::size_t equals = text.find('=');
+        const std::string name = text.substr(0, equals);
+        float value = 0;
+        const char* end = text.data() + text.size();
+        const bool number = equals != std::string::npos &&
+                            fast_float::from_chars(text.data() + equals + 1, end, value).ptr == end &&
+                            equals + 1 < text.size() && std::isfinite(value);
+        if (!number) throw Error("'" + text + "' sets nothing", "--set", "write it as style=0.5");
+        const int slot = graph.custom_slot(name);
+        if (slot < 0 && name != "slope") {
+            std::string names = "slope";
+            for (const std::string& own : graph.custom_names) names += ", " + own;
+            throw Error("the character's spaces have no axis '" + name + "'", "--set", "what can be set: " + names);
+        }
+        (slot < 0 ? request.slope : request.custom[static_cast<std::size_t>(slot)]) = value;
+    }
+    return request;
 }
 
 void load_project_character(const Options& options, Walking& walking) {
@@ -94,9 +122,10 @@ void load_project_character(const Options& options, Walking& walking) {
     for (const std::string& warning : walking.character.warnings) fmt::print(stderr, "{}\n", warning);
     walking.name = walking.character.name.empty() ? options.project : walking.character.name;
     walking.roles = walking.character.roles;
-    walking.walker = make_character_walker(walking.character, manner_from(options.style, walking.character.graph));
+    const LocomotionRequest request = request_of(options, walking.character.graph);
+    walking.walker = make_character_walker(walking.character, request);
     LocomotionState state;
-    if (update(walking.character.graph, state, {options.speed, 0, 0}, 0).clamped)
+    if (update(walking.character.graph, state, request, 0).clamped)
         fmt::print(stderr,
                    "{:g} m/s straight ahead lies outside the clips of {}: it walks as near to that as they go\n",
                    options.speed, walking.name);
@@ -189,6 +218,8 @@ const Command k_walk{
             ->check(CLI::Range(-10.0, 10.0))
             ->check(is_number)
             ->capture_default_str();
+        app.add_option("--set", options->set, "NAME=VALUE of the slope or of an axis of your own (repeatable)")
+            ->allow_extra_args(false);
         app.add_option("--seconds", options->seconds, "How long")
             ->check(CLI::Range(0.5, 3600.0))
             ->check(is_number)

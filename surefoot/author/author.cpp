@@ -155,6 +155,13 @@ RepairReport repair_and_compare(Workbench& bench, const Project* before, const S
     return report;
 }
 
+void choose_weights(BlendSpace& space, const AuthorOptions& options) {
+    if (options.weighting) space.weighting = *options.weighting;
+    if (!options.extrapolate) return;
+    space.outside = *options.extrapolate > 0 ? Outside::extrapolate : Outside::clamp;
+    if (*options.extrapolate > 0) space.extrapolation_bound = *options.extrapolate;
+}
+
 /// Everything after loading.
 AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const AuthorOptions& options,
                    AuthorResult result) {
@@ -190,6 +197,8 @@ AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const 
     project.roles = named_roles(first.roles.roles, *first.motion.skeleton);
     if (before) replay_repairs(bench, *before, result.warnings);
     place_and_lint(bench, before, result.warnings);
+    if (options.weighting || options.extrapolate)
+        for (ProjectSpace& space : project.spaces) choose_weights(space.space, options);
     if (options.fix) result.repairs = repair_and_compare(bench, before, options.probe);
 
     warn_of_empty_styles(project, options.styles, result.warnings);

@@ -37,7 +37,8 @@ struct AuthorOptions {
     std::string name;              ///< title of the report; default: the output folder's name
     RoleOverrides role_overrides;  ///< joint names by hand
     double unit_scale = 0;         ///< metres a file unit; 0: guess
-    /// Axis pairs to build, as "speed,turn" or "forward,lateral"; empty: as many spaces as the clips need.
+    /// Axes of the spaces to build, as "speed,turn" or "forward,lateral,style" (author/place.h); empty: as many spaces
+    /// as the clips need.
     std::vector<std::string> axes;
     std::vector<StyleOption> styles;  ///< the first whose pattern fits a clip's name has it
     /// Clips of other skeletons are retargeted to the one in use; else they are left out.
@@ -46,6 +47,9 @@ struct AuthorOptions {
     std::optional<Actor> actor;
     /// Measurements are kept in folder/.cache for the next run, which may be deleted at any time.
     bool cache = true;
+    /// How all spaces weigh their samples, and how far they extrapolate (0: they clamp); absent: as the project says.
+    std::optional<Weighting> weighting;
+    std::optional<float> extrapolate;
     bool mannequin = true;  ///< clips are written with a skinned mannequin
     int grid = 0;           ///< divisions of an engine's grid that samples are moved to (snap_grid.h); 0: none
     SpaceProbe probe;       ///< measures the placed spaces, for findings and report; none: not probed

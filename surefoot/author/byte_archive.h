@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -50,6 +51,11 @@ class ByteWriter {
     template <typename T, typename U>
     void put(const std::pair<T, U>& pair) {
         put(pair.first), put(pair.second);
+    }
+    template <typename T, typename U>
+    void put(const std::map<T, U>& values) {
+        count(values.size());
+        for (const auto& value : values) put(value);
     }
     template <typename T, std::size_t N>
     void put(const T (&values)[N]) {
@@ -110,6 +116,15 @@ class ByteReader {
     template <typename T, typename U>
     void get(std::pair<T, U>& pair) {
         get(pair.first), get(pair.second);
+    }
+    template <typename T, typename U>
+    void get(std::map<T, U>& values) {
+        values.clear();
+        for (std::size_t n = count(1); n > 0 && sound_; --n) {
+            std::pair<T, U> value;
+            get(value);
+            values.insert(std::move(value));
+        }
     }
     template <typename T, std::size_t N>
     void get(T (&values)[N]) {

@@ -22,7 +22,7 @@ class PercentSpace {
     explicit PercentSpace(const ProjectSpace& space);
 
     int dimensions() const { return space_->space.dimensions(); }
-    int count() const { return static_cast<int>(space_->space.samples.size()); }
+    int count() const { return space_->space.original_count(); }
     double at(int sample, int axis) const { return percent(space_->space.samples[sample][axis], axis); }
     double percent(double value, int axis) const { return 100 * value / range_[axis]; }
     double distance(const SpacePoint& a, const SpacePoint& b) const;

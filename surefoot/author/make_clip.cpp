@@ -69,6 +69,18 @@ Motion made_motion(const RepairStep& step, std::span<const AnalyzedClip* const> 
                 "undo it, or use the version of Surefoot that made it");
 }
 
+/// The user's own numbers of what is made of clips: theirs, by the share that each has.
+std::map<std::string, float> own_numbers(const RepairStep& step, std::span<const AnalyzedClip* const> inputs) {
+    if (step.kind != "interpolate") return inputs.front()->facts.custom;
+    std::map<std::string, float> numbers;
+    double sum = 0;
+    for (std::size_t i = 0; i < inputs.size(); ++i) sum += number(step, "weight_" + std::to_string(i), 1);
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+        for (const auto& [name, value] : inputs[i]->facts.custom)
+            numbers[name] += static_cast<float>(number(step, "weight_" + std::to_string(i), 1) / sum) * value;
+    return numbers;
+}
+
 /// The name with left and right exchanged; itself where it speaks of neither.
 std::string other_side(const std::string& name) {
     std::string result;
@@ -160,6 +172,7 @@ AnalyzedClip make_clip(const RepairStep& step, std::span<const AnalyzedClip* con
     made.facts.name = step.makes;
     made.facts.in_place = from.facts.in_place;
     made.facts.unit_scale = 1;
+    made.facts.custom = own_numbers(step, inputs);
     measure(made.motion, made.roles.roles, made.legs, made.facts);
     return made;
 }

@@ -42,11 +42,11 @@ void fields_of_facts(Archive& archive, Value& facts) {
     auto& [name, file, frames, joints, fps, duration, forward, lateral, speed, chord, turn, travel, slope, climb,
            in_place, cyclic, locomotion, not_locomotion, cadence, stride, duty, events, contacts, skate, seam,
            seam_speed, loop_error, closing, disagreement_speed, disagreement_turn, hip_height, height, unit_scale,
-           warnings] = facts;
+           warnings, custom] = facts;
     archive(name, file, frames, joints, fps, duration, forward, lateral, speed, chord, turn, travel, slope, climb,
             in_place, cyclic, locomotion, not_locomotion, cadence, stride, duty, events, contacts, skate, seam,
             seam_speed, loop_error, closing, disagreement_speed, disagreement_turn, hip_height, height, unit_scale,
-            warnings);
+            warnings, custom);
 }
 static void fields(ByteWriter& archive, const ClipFacts& value) { fields_of_facts(archive, value); }
 static void fields(ByteReader& archive, ClipFacts& value) { fields_of_facts(archive, value); }
@@ -83,7 +83,7 @@ void fields_of_measured(Archive& archive, Value& measured) {
 
 CacheKey cache_key(const ResultCache& cache, const LoadedClip& loaded, const RoleOverrides& overrides) {
     ByteWriter writer;
-    writer(loaded.motion, loaded.file, loaded.unit_scale, loaded.warnings, overrides);
+    writer(loaded.motion, loaded.file, loaded.unit_scale, loaded.warnings, loaded.custom, overrides);
     return cache.key(writer.bytes);
 }
 

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace surefoot {
 namespace {
@@ -38,7 +40,7 @@ std::vector<Axis> parse_axes(const std::string& text) {
 
 std::string space_name(const std::vector<Axis>& axes) {
     for (const Axis& axis : axes)
-        if (axis.name == "lateral" || axis.name == "forward") return "lateral";
+        if (axis.name == "lateral" || axis.name == "forward" || axis.name == "travel") return "lateral";
     return "facing";
 }
 
@@ -74,23 +76,92 @@ void drop_flat_axis(std::vector<Axis>& axes, const Project& project, const std::
     }
 }
 
-void locked_edges_from(const Project& project, const Project& before, const ProjectSpace& old, ProjectSpace& space,
-                       std::vector<std::string>& warnings) {
-    for (const auto& [a, b] : old.locked_edges) {
-        const std::string names[2] = {before.clips[old.clips[a]].name, before.clips[old.clips[b]].name};
-        int sample[2] = {-1, -1};
-        for (int e = 0; e < 2; ++e)
-            for (std::size_t i = 0; i < space.clips.size(); ++i)
-                if (project.clips[space.clips[i]].name == names[e]) sample[e] = static_cast<int>(i);
-        const bool kept =
-            sample[0] >= 0 && sample[1] >= 0 && lock_edge(space.space, sample[0], sample[1], space.locked_edges);
-        if (kept)
-            space.locked_edges.push_back({sample[0], sample[1]});
+/// The sample of the clip of that name, or -1.
+int sample_named(const Project& project, const ProjectSpace& space, const std::string& name) {
+    for (std::size_t i = 0; i < space.clips.size(); ++i)
+        if (project.clips[space.clips[i]].name == name) return static_cast<int>(i);
+    return -1;
+}
+
+std::string quoted(const Project& project, const ProjectSpace& space, std::span<const int> samples) {
+    std::string text;
+    for (const int s : samples) text += (text.empty() ? "\"" : ", \"") + project.clips[space.clips[s]].name + "\"";
+    return text;
+}
+
+/// What the user set about the space, on the samples that it has now.
+void take_choices(const Project& project, const Project& before, const ProjectSpace& old, ProjectSpace& space,
+                  std::vector<std::string>& warnings) {
+    space.space.weighting = old.space.weighting;
+    space.space.outside = old.space.outside;
+    space.space.extrapolation_bound = old.space.extrapolation_bound;
+    const auto found_again = [&](std::span<const int> samples, const char* what, auto& kept) {
+        std::vector<int> now;
+        for (const int s : samples) now.push_back(sample_named(project, space, before.clips[old.clips[s]].name));
+        if (std::find(now.begin(), now.end(), -1) == now.end())
+            std::copy(now.begin(), now.end(), kept.begin());
         else
-            warnings.push_back(
-                fmt::format("the locked edge between \"{}\" and \"{}\" could not be kept in space \"{}\"", names[0],
-                            names[1], space.name));
+            warnings.push_back(fmt::format("the locked {} between {} could not be kept in space \"{}\": a clip is gone",
+                                           what, quoted(before, old, samples), space.name));
+        return std::find(now.begin(), now.end(), -1) == now.end();
+    };
+    for (const auto& edge : old.locked_edges)
+        if (std::array<int, 2> kept{}; found_again(edge, "edge", kept)) space.locked_edges.push_back(kept);
+    for (const auto& simplex : old.locked_simplices)
+        if (std::vector<int> kept(simplex.size()); found_again(simplex, "simplex", kept))
+            space.locked_simplices.push_back(kept);
+}
+
+bool is_motion_axis(const std::string& name) {
+    return name == "speed" || name == "turn" || name == "forward" || name == "lateral" || name == "pace";
+}
+
+/// Standing has no direction: an idle is there in each direction that some clip moves in.
+void spread_standing(const Project& project, ProjectSpace& space) {
+    const auto& axes = space.space.axes;
+    const auto found = std::find_if(axes.begin(), axes.end(), [](const Axis& axis) { return axis.name == "travel"; });
+    if (found == axes.end()) return;
+    const auto travel = static_cast<std::size_t>(found - axes.begin());
+    std::set<float> directions;
+    for (std::size_t i = 0; i < space.clips.size(); ++i)
+        if (!is_standing(project.clips[space.clips[i]].facts)) directions.insert(space.space.samples[i][travel]);
+    const std::size_t count = space.clips.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!is_standing(project.clips[space.clips[i]].facts)) continue;
+        SpacePoint point = space.space.samples[i];
+        for (const float direction : directions) {
+            if (direction == *directions.begin()) {
+                space.space.samples[i][travel] = direction;
+                continue;
+            }
+            point[travel] = direction;
+            space.space.samples.push_back(point);
+            space.clips.push_back(space.clips[i]);
+        }
     }
+}
+
+/// An axis of the user's own that is spelt otherwise than in the sidecars must not pass for one where all clips are 0.
+void check_values(const Project& project, const std::vector<int>& clips, const Axis& axis,
+                  std::vector<std::string>& warnings) {
+    std::set<std::string> known;
+    std::string without;
+    std::size_t missing = 0;
+    for (const int c : clips) {
+        for (const auto& [name, value] : project.clips[c].facts.custom) known.insert(name);
+        if (!std::isnan(axis_value(project.clips[c].facts, axis.name))) continue;
+        if (++missing <= 5) without += (without.empty() ? "\"" : ", \"") + project.clips[c].name + "\"";
+    }
+    if (missing == 0) return;
+    if (missing == clips.size()) {
+        std::string names = "speed, turn, forward, lateral, slope, pace, travel";
+        for (const std::string& name : known) names += ", " + name;
+        throw Error("no clip has a number \"" + axis.name + "\"", "--axes",
+                    "use " + names + ", or write {\"" + axis.name + "\": 0.5} into CLIP.surefoot.json beside a clip");
+    }
+    if (missing > 5) without += fmt::format(" and {} more", missing - 5);
+    warnings.push_back(fmt::format("{} of {} clips have no number \"{}\" and count as 0: {}", missing, clips.size(),
+                                   axis.name, without));
 }
 
 ProjectSpace build_space(const Project& project, std::string name, std::vector<Axis> axes, std::vector<int> clips,
@@ -100,6 +171,7 @@ ProjectSpace build_space(const Project& project, std::string name, std::vector<A
     space.clips = std::move(clips);
     const ProjectSpace* old = before ? before->find_space(space.name) : nullptr;
     for (Axis& axis : axes) {
+        check_values(project, space.clips, axis, warnings);
         const std::vector<float> values = values_of(project, space.clips, axis.name);
         set_limits(axis, values);
         if (!old || !old->axes_pinned) continue;
@@ -110,9 +182,12 @@ ProjectSpace build_space(const Project& project, std::string name, std::vector<A
     for (const int c : space.clips) {
         const ProjectClip& clip = project.clips[c];
         SpacePoint point{};
-        for (int k = 0; k < space.space.dimensions(); ++k)
+        for (int k = 0; k < space.space.dimensions(); ++k) {
+            const std::string& axis = space.space.axes[k].name;
+            const float value = axis_value(clip.facts, axis);
             // Whatever an idle drifts is no travel: it stands exactly at the origin.
-            point[k] = is_idle(clip.facts) ? 0 : axis_value(clip.facts, space.space.axes[k].name);
+            point[k] = std::isnan(value) || (is_idle(clip.facts) && is_motion_axis(axis)) ? 0 : value;
+        }
         for (const PinnedPlace& pin : clip.pins) {
             if (pin.space != space.name) continue;
             if (pin.values.size() == space.space.axes.size())
@@ -123,12 +198,50 @@ ProjectSpace build_space(const Project& project, std::string name, std::vector<A
         }
         space.space.samples.push_back(point);
     }
-    triangulate(space.space);
-    if (old) locked_edges_from(project, *before, *old, space, warnings);
+    spread_standing(project, space);
+    if (old) take_choices(project, *before, *old, space, warnings);
+    triangulate_locked(project, space, warnings);
     return space;
 }
 
 }  // namespace
+
+void triangulate_locked(const Project& project, ProjectSpace& space, std::vector<std::string>& warnings) {
+    const auto originals = static_cast<std::size_t>(space.space.original_count());
+    space.space.samples.resize(originals);
+    space.clips.resize(originals);
+    add_wrap_copies(space.space);
+    for (std::size_t i = originals; i < space.space.samples.size(); ++i)
+        space.clips.push_back(space.clips[static_cast<std::size_t>(space.space.copy_of[i])]);
+    triangulate(space.space);
+
+    const auto wanted_edges = std::exchange(space.locked_edges, {});
+    const auto wanted_simplices = std::exchange(space.locked_simplices, {});
+    std::vector<std::array<std::int32_t, 2>> held;
+    for (const auto& edge : wanted_edges) {
+        if (!lock_edge(space.space, edge[0], edge[1], held)) {
+            warnings.push_back(fmt::format("the locked edge between {} could not be kept in space \"{}\"",
+                                           quoted(project, space, edge), space.name));
+            continue;
+        }
+        space.locked_edges.push_back(edge);
+        held.push_back(edge);
+    }
+    for (const auto& simplex : wanted_simplices) {
+        if (!lock_simplex(space.space, simplex, held)) {
+            warnings.push_back(
+                fmt::format("the locked simplex between {} could not be kept in space \"{}\": {}",
+                            quoted(project, space, simplex), space.name,
+                            space.space.dimensions() == 2
+                                ? "a sample lies in it, or another locked edge crosses it"
+                                : "it is not among the simplices, and in more than two dimensions none can be forced"));
+            continue;
+        }
+        space.locked_simplices.push_back(simplex);
+        for (std::size_t i = 0; i < simplex.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) held.push_back({simplex[i], simplex[j]});
+    }
+}
 
 bool is_facing(const ClipFacts& facts) {
     const float off = std::fabs(facts.travel);
@@ -143,34 +256,55 @@ float axis_value(const ClipFacts& facts, std::string_view axis) {
     if (axis == "forward") return facts.forward;
     if (axis == "lateral") return facts.lateral;
     if (axis == "slope") return facts.slope;
-    return std::nanf("");
+    if (axis == "pace") return std::fabs(facts.speed);
+    if (axis == "travel") return facts.travel;
+    const auto own = facts.custom.find(std::string(axis));
+    return own != facts.custom.end() ? own->second : std::nanf("");
 }
 
 Axis make_axis(std::string_view name) {
-    for (const char* speed : {"speed", "forward", "lateral"})
+    for (const char* speed : {"speed", "forward", "lateral", "pace"})
         if (name == speed) return {speed, "m/s", 0, 1, false};
     if (name == "turn") return {"turn", "deg/s", -90, 90, false};
     if (name == "slope") return {"slope", "deg", -15, 15, false};
-    throw Error("there is no axis \"" + std::string(name) + "\"", "--axes",
-                "use speed, turn, forward, lateral or slope, with commas between");
+    if (name == "travel") return {"travel", "deg", -180, 180, true};
+    if (name.empty())
+        throw Error("an axis has no name", "--axes",
+                    "use speed, turn, forward, lateral, slope, or a number of your own");
+    return {std::string(name), "", 0, 1, false};
 }
 
+namespace {
+
+/// 1, 2 or 5 times a power of ten, a fifth of `range` or a little less.
+double round_step(double range) {
+    double step = 1;
+    while (step > 0.2 * range) step /= 10;
+    while (10 * step <= 0.2 * range) step *= 10;
+    return 5 * step <= 0.2 * range ? 5 * step : 2 * step <= 0.2 * range ? 2 * step : step;
+}
+
+}  // namespace
+
 void set_limits(Axis& axis, std::span<const float> values) {
+    if (axis.name == "travel") return;  // the whole circle
     // Steps a person would choose, and the least range that an axis is drawn with.
-    const bool is_turn = axis.name == "turn", is_slope = axis.name == "slope";
-    const float step = is_turn ? 30.0f : is_slope ? 5.0f : 0.5f;
+    const bool is_turn = axis.name == "turn", is_slope = axis.name == "slope", is_own = axis.unit.empty();
     const bool symmetric = is_turn || is_slope || axis.name == "lateral";
-    float low = 0, high = is_turn ? 90.0f : is_slope ? 5.0f : 0.5f;
+    double low = 0, high = is_turn ? 90 : is_slope ? 5 : is_own ? 0 : 0.5;
     for (const float v : values) {
-        low = std::min(low, v);
-        high = std::max(high, v);
+        if (std::isnan(v)) continue;
+        low = std::min<double>(low, v);
+        high = std::max<double>(high, v);
     }
-    constexpr float k_rounding = 1e-3f;  // of a step: 1.5000001 stays 1.5
+    if (is_own && !(high - low > 1e-6)) high = 1;
+    const double step = is_turn ? 30 : is_slope ? 5 : is_own ? round_step(high - low) : 0.5;
+    constexpr double k_rounding = 1e-3;  // of a step: 1.5000001 stays 1.5
     low = std::floor(low / step + k_rounding) * step;
     high = std::ceil(high / step - k_rounding) * step;
     if (symmetric) high = std::max(high, -low), low = -high;
-    axis.low = low + 0.0f;  // no -0
-    axis.high = high;
+    axis.low = static_cast<float>(low) + 0.0f;  // no -0
+    axis.high = static_cast<float>(high);
 }
 
 namespace {
@@ -273,8 +407,14 @@ std::string describe_place(std::span<const Axis> axes, std::span<const float> va
                 add(fmt::format("turning {:.0f} deg/s to its {}", std::fabs(v), v < 0 ? "right" : "left"));
             else
                 add("without turning");
+        } else if (name == "slope") {
+            add(zero ? "on the level" : fmt::format("{:.0f} deg {}", std::fabs(v), v < 0 ? "downhill" : "uphill"));
+        } else if (name == "travel") {
+            add(std::fabs(v) < 0.5f ? "straight ahead"
+                                    : fmt::format("{:.0f} deg to its {}", std::fabs(v), v < 0 ? "right" : "left"));
         } else {
-            add(fmt::format("{} {:.1f} {}", name, v, axes[k].unit));
+            const std::string unit = axes[k].unit.empty() ? "" : " " + axes[k].unit;
+            add(name == "pace" ? fmt::format("at {:.2f} m/s", v) : fmt::format("{} {:.2f}{}", name, v, unit));
         }
     }
     return text;

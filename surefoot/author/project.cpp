@@ -3,6 +3,7 @@
 #include <surefoot/author/probe_json.h>
 #include <surefoot/author/project.h>
 #include <surefoot/host/files.h>
+#include <surefoot/space/triangulate.h>
 
 #include <algorithm>
 
@@ -16,7 +17,9 @@ Json numbers(const std::vector<float>& values) {
 }
 
 bool same_axes(const BlendSpace& a, const BlendSpace& b) {
-    return a.axes == b.axes && a.samples == b.samples && a.simplices == b.simplices && a.neighbours == b.neighbours;
+    return a.axes == b.axes && a.samples == b.samples && a.simplices == b.simplices && a.neighbours == b.neighbours &&
+           a.copy_of == b.copy_of && a.weighting == b.weighting && a.outside == b.outside &&
+           a.extrapolation_bound == b.extrapolation_bound;
 }
 
 // --- writing
@@ -78,12 +81,15 @@ Json to_json(const Project& project, const ProjectSpace& space) {
                                   {"low", short_number(axis.low)},
                                   {"high", short_number(axis.high)},
                                   {"wraps", axis.wraps}});
+    result["weighting"] = name_of(space.space.weighting);
+    result["outside"] = name_of(space.space.outside);
+    result["extrapolation_bound"] = short_number(space.space.extrapolation_bound);
     result["samples"] = Json::array();
     const auto clip_name = [&](int sample) { return project.clips[space.clips[sample]].name; };
-    for (std::size_t i = 0; i < space.space.samples.size(); ++i) {
+    for (std::int32_t i = 0; i < space.space.original_count(); ++i) {  // copies are made again when read
         Json at = Json::array();
         for (int k = 0; k < space.space.dimensions(); ++k) at.push_back(short_number(space.space.samples[i][k]));
-        result["samples"].push_back({{"clip", clip_name(static_cast<int>(i))}, {"at", at}});
+        result["samples"].push_back({{"clip", clip_name(i)}, {"at", at}});
     }
     result["simplices"] = Json::array();
     result["neighbours"] = Json::array();
@@ -95,6 +101,12 @@ Json to_json(const Project& project, const ProjectSpace& space) {
     }
     result["locked_edges"] = Json::array();
     for (const auto& [a, b] : space.locked_edges) result["locked_edges"].push_back({clip_name(a), clip_name(b)});
+    result["locked_simplices"] = Json::array();
+    for (const std::vector<int>& simplex : space.locked_simplices) {
+        Json names = Json::array();
+        for (const int sample : simplex) names.push_back(clip_name(sample));
+        result["locked_simplices"].push_back(names);
+    }
     return result;
 }
 
@@ -242,12 +254,30 @@ Simplex read_indices(const JsonNode& node, int low, int high) {
     return result;
 }
 
+void read_weighting(JsonNode& node, BlendSpace& space) {
+    if (node.has("weighting")) {
+        const auto weighting = weighting_named(node.at("weighting").text());
+        if (!weighting)
+            node.at("weighting")
+                .fail("\"" + node.at("weighting").text() + "\" is no weighting",
+                      "use \"barycentric\", \"gradient-band\", \"gradient-band-polar\" or \"axis-distance\"");
+        space.weighting = *weighting;
+    }
+    if (node.has("outside")) {
+        const auto outside = outside_named(node.at("outside").text());
+        if (!outside) node.at("outside").fail("use \"clamp\" or \"extrapolate\"");
+        space.outside = *outside;
+    }
+    if (node.has("extrapolation_bound")) space.extrapolation_bound = node.at("extrapolation_bound").real();
+}
+
 ProjectSpace read_space(JsonNode node, const Project& project) {
     ProjectSpace space;
     space.name = node.at("name").text();
     if (node.has("upper_body")) space.upper_body = node.at("upper_body").flag();
     if (node.has("axes_pinned")) space.axes_pinned = node.at("axes_pinned").flag();
     for (const JsonNode& axis : node.at("axes").items()) space.space.axes.push_back(read_axis(axis));
+    read_weighting(node, space.space);
     const std::size_t dimensions = space.space.axes.size();
     if (dimensions < 1 || dimensions > k_max_dimensions) node.fail("a blend space has 1 to 4 axes");
 
@@ -267,6 +297,9 @@ ProjectSpace read_space(JsonNode node, const Project& project) {
         space.space.samples.push_back(point);
         sample.finish();
     }
+    add_wrap_copies(space.space);
+    for (std::size_t i = space.clips.size(); i < space.space.samples.size(); ++i)
+        space.clips.push_back(space.clips[static_cast<std::size_t>(space.space.copy_of[i])]);
     const int samples = static_cast<int>(space.clips.size());
     for (const JsonNode& simplex : node.at("simplices").items())
         space.space.simplices.push_back(read_indices(simplex, 0, samples - 1));
@@ -276,19 +309,26 @@ ProjectSpace read_space(JsonNode node, const Project& project) {
     if (const std::string bad = problem(space.space); !bad.empty())
         node.fail(bad, "run `surefoot author` again to have the space made anew");
 
+    const auto samples_named = [&](const JsonNode& list, std::size_t count, const char* what) {
+        const auto names = list.items();
+        if (names.size() != count) list.fail(what);
+        std::vector<int> result;
+        for (const JsonNode& name : names) {
+            const auto sample = std::find(space.clips.begin(), space.clips.end(), clip_named(name));
+            if (sample == space.clips.end()) name.fail("the clip \"" + name.text() + "\" is not in this space");
+            result.push_back(static_cast<int>(sample - space.clips.begin()));
+        }
+        return result;
+    };
     if (node.has("locked_edges"))
         for (const JsonNode& edge : node.at("locked_edges").items()) {
-            const auto ends = edge.items();
-            if (ends.size() != 2) edge.fail("a locked edge names two clips");
-            std::array<int, 2> pair{};
-            for (int e = 0; e < 2; ++e) {
-                const auto sample = std::find(space.clips.begin(), space.clips.end(), clip_named(ends[e]));
-                if (sample == space.clips.end())
-                    ends[e].fail("the clip \"" + ends[e].text() + "\" is not in this space");
-                pair[e] = static_cast<int>(sample - space.clips.begin());
-            }
-            space.locked_edges.push_back(pair);
+            const std::vector<int> ends = samples_named(edge, 2, "a locked edge names two clips");
+            space.locked_edges.push_back({ends[0], ends[1]});
         }
+    if (node.has("locked_simplices"))
+        for (const JsonNode& simplex : node.at("locked_simplices").items())
+            space.locked_simplices.push_back(
+                samples_named(simplex, dimensions + 1, "a locked simplex names one clip more than there are axes"));
     node.finish();
     return space;
 }
@@ -422,7 +462,7 @@ bool operator==(const ProjectClip& a, const ProjectClip& b) {
 
 bool operator==(const ProjectSpace& a, const ProjectSpace& b) {
     return a.name == b.name && same_axes(a.space, b.space) && a.clips == b.clips && a.axes_pinned == b.axes_pinned &&
-           a.locked_edges == b.locked_edges && a.upper_body == b.upper_body;
+           a.locked_edges == b.locked_edges && a.locked_simplices == b.locked_simplices && a.upper_body == b.upper_body;
 }
 
 int Project::find_clip(std::string_view clip) const noexcept {

@@ -2,7 +2,8 @@
 // The project file: what `author` writes, what the user may edit, and what `lint`, `walk` and `bake` read.
 //
 // JSON, versioned; files are relative to the folder of the project. Whatever a user pins (places, axis limits, rule
-// settings, locked edges, excluded clips) survives the next run of `author`. Everything else is written anew.
+// settings, locked edges and simplices, weighting, excluded clips) survives the next run of `author`. Everything else
+// is written anew.
 
 #include <surefoot/analysis/clip_facts.h>
 #include <surefoot/author/finding.h>
@@ -57,11 +58,12 @@ inline constexpr std::string_view k_style_prefix = "style:";
 struct ProjectSpace {
     /// "facing": (speed, turn); "lateral": (forward, lateral); "style:NAME": (speed) of the clips that show a style
     std::string name;
-    BlendSpace space;                              ///< in axis units
-    std::vector<int> clips;                        ///< of each sample: index into Project::clips, never an excluded one
-    bool upper_body = false;                       ///< of a style: legs and hips are left to the locomotion
-    bool axes_pinned = false;                      ///< the user set the limits; they are not recomputed
-    std::vector<std::array<int, 2>> locked_edges;  ///< pairs of samples that must stay joined
+    BlendSpace space;          ///< in axis units
+    std::vector<int> clips;    ///< of each sample and copy: index into Project::clips, never an excluded one
+    bool upper_body = false;   ///< of a style: legs and hips are left to the locomotion
+    bool axes_pinned = false;  ///< the user set the limits; they are not recomputed
+    std::vector<std::array<int, 2>> locked_edges;    ///< pairs of samples that must stay joined
+    std::vector<std::vector<int>> locked_simplices;  ///< dimensions + 1 samples each that must stay a simplex
 
     friend bool operator==(const ProjectSpace&, const ProjectSpace&);
 };

@@ -29,7 +29,12 @@ ProjectClip made_clip(const ProjectRepair& repair, const RepairStep& step, const
     clip.repair = repair.id;
     // The whole story: what was done to the first source, then this.
     const int from = bench.project.find_clip(step.clips.front());
-    if (from >= 0) clip.provenance = bench.project.clips[static_cast<std::size_t>(from)].provenance;
+    if (from >= 0) {
+        const ProjectClip& source = bench.project.clips[static_cast<std::size_t>(from)];
+        clip.provenance = source.provenance;
+        clip.style = source.style;
+        clip.upper_body = source.upper_body;
+    }
     clip.provenance.push_back(describe_step(step));
     return clip;
 }

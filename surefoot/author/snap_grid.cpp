@@ -1,8 +1,7 @@
 #include <surefoot/author/lint_context.h>
+#include <surefoot/author/place.h>
 #include <surefoot/author/snap_grid.h>
 #include <surefoot/base/error.h>
-#include <surefoot/space/lock_edge.h>
-#include <surefoot/space/triangulate.h>
 
 #include <fmt/format.h>
 
@@ -19,18 +18,6 @@ float snapped(float value, const Axis& axis, int divisions) {
     // From the nearer end, so that both ends, and 0 in the middle of a symmetric axis, are exact.
     const float n = static_cast<float>(divisions);
     return 2 * at < n ? axis.low + at * step : 2 * at > n ? axis.high - (n - at) * step : 0.5f * (axis.low + axis.high);
-}
-
-void keep_locked_edges(const Project& project, ProjectSpace& space, std::vector<std::string>& warnings) {
-    const auto wanted = std::move(space.locked_edges);
-    space.locked_edges.clear();
-    for (const auto& [a, b] : wanted) {
-        if (lock_edge(space.space, a, b, space.locked_edges))
-            space.locked_edges.push_back({a, b});
-        else
-            warnings.push_back(fmt::format("the locked edge between \"{}\" and \"{}\" could not be kept on the grid",
-                                           project.clips[space.clips[a]].name, project.clips[space.clips[b]].name));
-    }
 }
 
 std::string place_text(const std::vector<float>& values, const std::vector<Axis>& axes) {
@@ -51,7 +38,7 @@ GridSnap snap_to_grid(Project& project, int divisions, std::vector<std::string>&
         const PercentSpace percent(space);
         const auto count = static_cast<std::size_t>(space.space.dimensions());
         std::map<SpacePoint, std::vector<std::string>> at;
-        for (std::size_t i = 0; i < space.space.samples.size(); ++i) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(space.space.original_count()); ++i) {
             SpacePoint& point = space.space.samples[i];
             const SpacePoint from = point;
             for (std::size_t k = 0; k < count; ++k) point[k] = snapped(point[k], space.space.axes[k], divisions);
@@ -65,8 +52,7 @@ GridSnap snap_to_grid(Project& project, int divisions, std::vector<std::string>&
         }
         for (const auto& [point, clips] : at)
             if (clips.size() > 1) snap.collisions.push_back(clips);
-        triangulate(space.space);
-        keep_locked_edges(project, space, warnings);
+        triangulate_locked(project, space, warnings);
     }
     return snap;
 }

@@ -6,6 +6,7 @@
 
 #include <surefoot/author/labels.h>
 #include <surefoot/author/place.h>
+#include <surefoot/author/plot_frame.h>
 #include <surefoot/author/report.h>
 #include <surefoot/author/report_style.h>
 #include <surefoot/math/trig.h>
@@ -20,14 +21,14 @@
 namespace surefoot {
 namespace {
 
-constexpr double k_left = 70, k_right = 26, k_top = 20, k_bottom = 58;  // [px] room for ticks and titles
-constexpr double k_mark = 6.5;                                          // [px] radius of a sample
+constexpr double k_mark = 6.5;            // [px] radius of a sample
 constexpr std::size_t k_most_names = 26;  // with more samples than this, marks carry numbers and the table the names
 
 class Chart {
   public:
     Chart(const Project& project, const ProjectSpace& space, double width, double height)
-        : project_(project), space_(space), width_(width), height_(height) {
+        : project_(project), space_(space) {
+        frame_.width = width, frame_.height = height;
         choose_axes();
         choose_domain();
     }
@@ -36,7 +37,7 @@ class Chart {
         out_ = fmt::format(
             "<svg class=\"space\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" "
             "aria-label=\"Blend space {}: {} and what lies between them\" data-map=\"{}\">\n",
-            width_, height_, escape_html(space_.name), space_.clips.size() == 1 ? "one clip" : "its clips", map());
+            frame_.width, frame_.height, escape_html(space_.name), space_.clips.size() == 1 ? "one clip" : "its clips", map());
         defs();
         grid();
         triangles();
@@ -48,7 +49,7 @@ class Chart {
         samples();
         other_places();
         labels();
-        frame_and_titles();
+        add(frame_.titles());
         out_ += "</svg>\n";
         return std::move(out_);
     }
@@ -58,52 +59,43 @@ class Chart {
 
     void choose_axes() {
         const auto& axes = space_.space.axes;
-        up_ = axes[0];
+        frame_.up = axes[0];
         if (axes.size() > 1) {
-            across_ = axes[1];
+            frame_.across = axes[1];
             across_slot_ = 1;
             return;
         }
         flat_ = true;
         const std::string& name = axes[0].name;
         if (name == "turn" || name == "lateral") {  // the only axis lies across
-            across_ = axes[0];
+            frame_.across = axes[0];
             across_slot_ = 0;
             up_slot_ = -1;
-            up_ = make_axis(name == "turn" ? "speed" : "forward");
-            up_.low = name == "turn" ? 0.0f : -1.0f;
+            frame_.up = make_axis(name == "turn" ? "speed" : "forward");
+            frame_.up.low = name == "turn" ? 0.0f : -1.0f;
         } else {
-            across_ = make_axis(name == "forward" ? "lateral" : "turn");
-            if (name == "forward") across_.low = -1;
+            frame_.across = make_axis(name == "forward" ? "lateral" : "turn");
+            if (name == "forward") frame_.across.low = -1;
             across_slot_ = -1;
         }
     }
 
     void choose_domain() {
-        low_x_ = across_.low, high_x_ = across_.high, low_y_ = up_.low, high_y_ = up_.high;
-        const auto include = [&](double x, double y) {
-            low_x_ = std::min(low_x_, x), high_x_ = std::max(high_x_, x);
-            low_y_ = std::min(low_y_, y), high_y_ = std::max(high_y_, y);
-        };
-        include(0, 0);
-        for (std::size_t i = 0; i < space_.space.samples.size(); ++i)
-            include(value_x(space_.space.samples[i]), value_y(space_.space.samples[i]));
+        frame_.has_across = across_slot_ >= 0, frame_.has_up = up_slot_ >= 0;
+        frame_.low_x = frame_.across.low, frame_.high_x = frame_.across.high;
+        frame_.low_y = frame_.up.low, frame_.high_y = frame_.up.high;
+        frame_.include(0, 0);
+        for (int i = 0; i < space_.space.original_count(); ++i)
+            frame_.include(value_x(space_.space.samples[i]), value_y(space_.space.samples[i]));
         for (const Placeholder& placeholder : project_.placeholders)
-            if (double x, y; placeholder_at(placeholder, x, y)) include(x, y);
-        const double margin_x = 0.07 * (high_x_ - low_x_), margin_y = 0.07 * (high_y_ - low_y_);
-        low_x_ -= margin_x, high_x_ += margin_x, low_y_ -= margin_y, high_y_ += margin_y;
+            if (double x, y; placeholder_at(placeholder, x, y)) frame_.include(x, y);
+        frame_.add_margin();
     }
 
     double value_x(const SpacePoint& p) const { return across_slot_ < 0 ? 0 : p[across_slot_]; }
     double value_y(const SpacePoint& p) const { return up_slot_ < 0 ? 0 : p[up_slot_]; }
-    bool reversed() const { return across_.name == "turn" || across_.name == "lateral"; }
-    double px(double x) const {
-        const double share = (x - low_x_) / (high_x_ - low_x_);
-        return k_left + (reversed() ? 1 - share : share) * (width_ - k_left - k_right);
-    }
-    double py(double y) const {
-        return height_ - k_bottom - (y - low_y_) / (high_y_ - low_y_) * (height_ - k_top - k_bottom);
-    }
+    double px(double x) const { return frame_.x(x); }
+    double py(double y) const { return frame_.y(y); }
     /// How values become pixels, for whoever puts something into the drawing: slot of the axis across (-1: none), pixel
     /// of its 0, pixels a unit; then the same of the axis that runs up.
     std::string map() const {
@@ -121,8 +113,8 @@ class Chart {
         if (placeholder.space != space_.name) return false;
         x = y = 0;
         for (std::size_t k = 0; k < placeholder.axes.size() && k < placeholder.target.size(); ++k) {
-            if (placeholder.axes[k] == across_.name) x = placeholder.target[k];
-            if (placeholder.axes[k] == up_.name) y = placeholder.target[k];
+            if (placeholder.axes[k] == frame_.across.name) x = placeholder.target[k];
+            if (placeholder.axes[k] == frame_.up.name) y = placeholder.target[k];
         }
         return true;
     }
@@ -138,16 +130,9 @@ class Chart {
                         named ? fmt::format("id=\"spot-{}\" ", index) : std::string("tabindex=\"-1\" "), index, index,
                         escape_html(finding.rule), escape_html(finding.message), mark));
     }
-    static std::string line_of(const char* style, double x0, double y0, double x1, double y1) {
-        return fmt::format("<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>", style, x0,
-                           y0, x1, y1);
-    }
-    void line(const char* style, double x0, double y0, double x1, double y1) {
-        add(line_of(style, x0, y0, x1, y1) + "\n");
-    }
+    void line(const char* style, double x0, double y0, double x1, double y1) { add(svg_line(style, x0, y0, x1, y1)); }
     void text(const char* style, double x, double y, const std::string& what, const char* anchor = "start") {
-        add(fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", style, x, y,
-                        anchor, escape_html(what)));
+        add(svg_text(style, x, y, what, anchor));
     }
 
     void defs() {
@@ -160,41 +145,17 @@ class Chart {
             escape_html(space_.name)));
     }
 
-    static double tick_step(double range, bool degrees) {
-        const double rough = range / 8;
-        for (const double step : {0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0})
-            if (!degrees && step >= rough) return step;
-        for (const double step : {1.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0})
-            if (degrees && step >= rough) return step;
-        return rough;
-    }
-
-    template <typename Each>
-    static void for_ticks(double low, double high, double step, const Each& each) {
-        for (int n = static_cast<int>(std::ceil(low / step - 1e-9)); n * step <= high + 1e-9 * step; ++n)
-            each(n * step);
-    }
-
     void grid() {
-        const double x0 = px(low_x_), x1 = px(high_x_), y0 = py(low_y_), y1 = py(high_y_);
-        add(fmt::format("<rect class=\"plot\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
-                        std::min(x0, x1), y1, std::fabs(x1 - x0), y0 - y1));
+        add(frame_.background());
         if (!flat_) {  // what no clip covers, within the limits of the axes
-            const double a = px(across_.low), b = px(across_.high);
-            add(fmt::format(
-                "<rect fill=\"url(#hatch-{})\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
-                "height=\"{:.1f}\"/>\n",
-                escape_html(space_.name), std::min(a, b), py(up_.high), std::fabs(b - a), py(up_.low) - py(up_.high)));
+            const double a = px(frame_.across.low), b = px(frame_.across.high);
+            add(
+                fmt::format("<rect fill=\"url(#hatch-{})\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
+                            "height=\"{:.1f}\"/>\n",
+                            escape_html(space_.name), std::min(a, b), py(frame_.up.high), std::fabs(b - a),
+                            py(frame_.up.low) - py(frame_.up.high)));
         }
-        const bool across_degrees = across_.unit != "m/s", up_degrees = up_.unit != "m/s";
-        for_ticks(low_x_, high_x_, tick_step(high_x_ - low_x_, across_degrees), [&](double v) {
-            line("grid", px(v), y0, px(v), y1);
-            if (across_slot_ >= 0) text("tick", px(v), y0 + 16, fmt::format("{:g}", v), "middle");
-        });
-        for_ticks(low_y_, high_y_, tick_step(high_y_ - low_y_, up_degrees), [&](double v) {
-            line("grid", x0, py(v), x1, py(v));
-            if (up_slot_ >= 0) text("tick", k_left - 8, py(v) + 4, fmt::format("{:g}", v), "end");
-        });
+        add(frame_.grid());
     }
 
     void triangles() {
@@ -223,13 +184,13 @@ class Chart {
     }
 
     void axes() {
-        line(up_slot_ < 0 ? "zero missing" : "zero", px(0), py(low_y_), px(0), py(high_y_));
-        line(across_slot_ < 0 ? "zero missing" : "zero", px(low_x_), py(0), px(high_x_), py(0));
+        line(up_slot_ < 0 ? "zero missing" : "zero", px(0), py(frame_.low_y), px(0), py(frame_.high_y));
+        line(across_slot_ < 0 ? "zero missing" : "zero", px(frame_.low_x), py(0), px(frame_.high_x), py(0));
     }
 
     void edges_of_findings() {
-        segments_.push_back({px(0), py(low_y_), px(0), py(high_y_)});
-        segments_.push_back({px(low_x_), py(0), px(high_x_), py(0)});
+        segments_.push_back({px(0), py(frame_.low_y), px(0), py(frame_.high_y)});
+        segments_.push_back({px(frame_.low_x), py(0), px(frame_.high_x), py(0)});
         // Broad bands first, so that an edge which also crosses an axis shows both.
         for (const Finding& finding : project_.findings)
             if (int a, b; finding.rule == "opposite-directions" && edge_of(finding, a, b))
@@ -242,8 +203,8 @@ class Chart {
             SpacePoint at{};
             std::copy_n(finding.at.begin(), std::min(finding.at.size(), at.size()), at.begin());
             const double x = px(value_x(at)), y = py(value_y(at));
-            spot(finding, edge("crossing", a, b) + line_of("cross", x - 6, y - 6, x + 6, y + 6) +
-                              line_of("cross", x - 6, y + 6, x + 6, y - 6));
+            spot(finding, edge("crossing", a, b) + svg_line("cross", x - 6, y - 6, x + 6, y + 6) +
+                              svg_line("cross", x - 6, y + 6, x + 6, y - 6));
         }
     }
 
@@ -254,7 +215,7 @@ class Chart {
         return a >= 0 && b >= 0;
     }
     std::string edge(const char* style, int a, int b) const {
-        return line_of(style, sample_x(a), sample_y(a), sample_x(b), sample_y(b));
+        return svg_line(style, sample_x(a), sample_y(a), sample_x(b), sample_y(b));
     }
 
     void close_pairs() {
@@ -311,9 +272,9 @@ class Chart {
         for (const Finding& finding : project_.findings)
             if (finding.rule == "misaligned" && finding.space == space_.name)
                 for (const std::string& clip : finding.clips) misaligned[clip] = &finding;
-        const bool numbered = space_.clips.size() > k_most_names;
+        const bool numbered = static_cast<std::size_t>(space_.space.original_count()) > k_most_names;
         const double radius = numbered ? 9 : k_mark;
-        for (int i = 0; i < static_cast<int>(space_.clips.size()); ++i) {
+        for (int i = 0; i < space_.space.original_count(); ++i) {
             const double x = sample_x(i), y = sample_y(i);
             const ProjectClip& clip = project_.clips[space_.clips[i]];
             if (const auto found = misaligned.find(clip.name); found != misaligned.end())
@@ -331,8 +292,9 @@ class Chart {
     }
 
     void labels() {
-        if (space_.clips.size() > k_most_names) return;
-        std::vector<int> order(space_.clips.size());
+        const auto count = static_cast<std::size_t>(space_.space.original_count());
+        if (count > k_most_names) return;
+        std::vector<int> order(count);
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
         std::sort(order.begin(), order.end(), [&](int a, int b) {
             return std::pair(sample_y(a), sample_x(a)) < std::pair(sample_y(b), sample_x(b));
@@ -348,7 +310,8 @@ class Chart {
             }
             requests.push_back({name, sample_x(i), sample_y(i), k_mark, 11.5});
         }
-        const Box frame{k_left + 2, k_top + 2, width_ - k_right - 2, height_ - k_bottom - 2};
+        const Box frame{frame_.left + 2, frame_.top + 2, frame_.width - frame_.right - 2,
+                        frame_.height - frame_.bottom - 2};
         const std::vector<PlacedLabel> placed = place_labels(requests, marks_, segments_, frame);
         for (std::size_t n = 0; n < placed.size(); ++n) {
             if (placed[n].leader) line("leader", requests[n].x, requests[n].y, placed[n].leader_x, placed[n].leader_y);
@@ -356,32 +319,11 @@ class Chart {
         for (std::size_t n = 0; n < placed.size(); ++n) text("name", placed[n].x, placed[n].y, requests[n].text);
     }
 
-    void frame_and_titles() {
-        const auto title = [](const Axis& axis) {
-            if (axis.name == "turn")
-                return std::string("turn, deg/s   (\xe2\x86\x90 to its left, to its right \xe2\x86\x92)");
-            if (axis.name == "lateral")
-                return std::string("sideways speed, m/s   (\xe2\x86\x90 to its left, to its right \xe2\x86\x92)");
-            if (axis.name == "forward") return std::string("forward speed, m/s");
-            return axis.name + (axis.unit.empty() ? "" : ", " + axis.unit);
-        };
-        const double middle_x = 0.5 * (k_left + width_ - k_right), middle_y = 0.5 * (k_top + height_ - k_bottom);
-        text(across_slot_ < 0 ? "title absent" : "title", middle_x, height_ - 14,
-             across_slot_ < 0 ? "no clip differs in " + across_.name : title(across_), "middle");
-        add(
-            fmt::format("<text class=\"{}\" transform=\"translate(20 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}"
-                        "</text>\n",
-                        up_slot_ < 0 ? "title absent" : "title", middle_y,
-                        escape_html(up_slot_ < 0 ? "no clip differs in " + up_.name : title(up_))));
-    }
-
     const Project& project_;
     const ProjectSpace& space_;
-    double width_, height_;
-    Axis across_, up_;
+    PlotFrame frame_;
     int across_slot_ = 1, up_slot_ = 0;  // -1: the axis that a 1-D space does not have
     bool flat_ = false;
-    double low_x_ = 0, high_x_ = 1, low_y_ = 0, high_y_ = 1;
     std::vector<Box> marks_;
     std::set<std::size_t> marked_;  // findings that have a mark
     std::vector<Segment> segments_;

@@ -6,13 +6,14 @@ namespace {
 
 class CharacterWalker final : public Walker {
   public:
-    CharacterWalker(const Character& character, const LocomotionRequest& manner)
-        : character_(character), request_(manner) {}
+    CharacterWalker(const Character& character, const LocomotionRequest& asked)
+        : character_(character), request_(asked) {}
     const std::shared_ptr<const Skeleton>& skeleton() const override { return character_.skeleton; }
     const Legs& legs() const override { return character_.legs; }
     std::span<const Transform> standing() const override { return character_.standing; }
     void start(float speed_mps) override {
         request_.speed = speed_mps;
+        request_.turn = request_.lateral = 0;
         state_ = {};
         root_ = {};
     }
@@ -37,8 +38,8 @@ class CharacterWalker final : public Walker {
 
 }  // namespace
 
-std::unique_ptr<Walker> make_character_walker(const Character& character, const LocomotionRequest& manner) {
-    return std::make_unique<CharacterWalker>(character, manner);
+std::unique_ptr<Walker> make_character_walker(const Character& character, const LocomotionRequest& asked) {
+    return std::make_unique<CharacterWalker>(character, asked);
 }
 
 }  // namespace surefoot

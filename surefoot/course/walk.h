@@ -14,6 +14,7 @@
 namespace surefoot {
 
 struct Character;
+struct LocomotionRequest;
 
 inline constexpr float k_walk_fps = 60;
 
@@ -36,9 +37,9 @@ class Walker {
 /// hardly travels plays as it is).
 std::unique_ptr<Walker> make_clip_walker(const Motion& clip, const Legs& legs);
 
-/// Steers a character through its blend space. `character` must outlive the walker. `manner` is a request whose style,
-/// slope and own axes hold all the way; its speed is that of `start`.
-std::unique_ptr<Walker> make_character_walker(const Character& character, const LocomotionRequest& manner = {});
+/// Steers a character through its blend space. `character` must outlive the walker. What `asked` says of style, slope
+/// and the user's own axes holds all the way; its speed is that of `start`.
+std::unique_ptr<Walker> make_character_walker(const Character& character, const LocomotionRequest& asked = {});
 
 struct WalkRequest {
     float speed_mps = 1.4f;

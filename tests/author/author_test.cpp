@@ -5,6 +5,7 @@
 #include <surefoot/base/error.h>
 #include <surefoot/host/files.h>
 #include <surefoot/host/parallel.h>
+#include <surefoot/io/gltf.h>
 #include <surefoot/io/load.h>
 #include <surefoot/preset/default_set.h>
 #include <tests/support/motion_data.h>
@@ -68,6 +69,45 @@ TEST(author, the_default_set_becomes_a_project_whose_every_file_is_there) {
     }
     EXPECT_GE(used, 14);
     EXPECT_NE(read_file(folder.path / "report.html").find("</html>"), std::string::npos);
+}
+
+TEST(author, numbers_beside_the_clips_open_a_third_dimension_that_survives_the_next_run) {
+    Folder folder;
+    const DefaultSet set = make_default_set();
+    for (const Motion& clip : set.clips) {
+        if (clip.name != "idle" && clip.name != "walk" && clip.name != "walk_left" && clip.name != "walk_right" &&
+            clip.name != "run")
+            continue;
+        for (const char* style : {"0", "0.8"}) {
+            Motion named = clip;
+            named.name += std::string("_style") + style[0] + (style[1] ? "8" : "");
+            GltfScene scene;
+            scene.motions = {named};
+            write_file(folder.path / "in" / (named.name + ".glb"), write_glb(scene));
+            write_file(folder.path / "in" / (named.name + ".surefoot.json"), std::string("{\"style\": ") + style + "}");
+        }
+    }
+    AuthorOptions options = plain();
+    options.axes = {"speed,turn,style"};
+    options.weighting = Weighting::gradient_band;
+    options.extrapolate = 0.125f;
+    const std::string in = (folder.path / "in").string();
+    AuthorResult result = author_clips({&in, 1}, folder.path / "out", options);
+    EXPECT_TRUE(result.warnings.empty()) << result.warnings.front();
+    ASSERT_EQ(result.project.spaces.size(), 1u);
+    const ProjectSpace& space = result.project.spaces[0];
+    ASSERT_EQ(space.space.dimensions(), 3);
+    EXPECT_EQ(space.clips.size(), 10u);  // both idles, too
+    EXPECT_EQ(space.space.axes[2].high, 0.8f);
+    EXPECT_GE(space.space.simplices.at(0)[3], 0);
+    EXPECT_TRUE(load_project(folder.path / "out") == result.project);
+
+    options.weighting = {};
+    options.extrapolate = {};
+    result = author_clips({&in, 1}, folder.path / "out", options);
+    EXPECT_EQ(result.project.spaces[0].space.weighting, Weighting::gradient_band);
+    EXPECT_EQ(result.project.spaces[0].space.outside, Outside::extrapolate);
+    EXPECT_EQ(result.project.spaces[0].space.extrapolation_bound, 0.125f);
 }
 
 TEST(author, the_bytes_do_not_depend_on_the_thread_count) {

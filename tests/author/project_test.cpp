@@ -24,6 +24,11 @@ Project full_project() {
     project.lint["acute-triangle"].severity = Severity::info;
     project.spaces[0].axes_pinned = true;
     project.spaces[0].locked_edges = {{0, 2}};
+    project.spaces[0].locked_simplices = {{0, 2, 1}};
+    project.spaces[0].space.weighting = Weighting::gradient_band_polar;
+    project.spaces[0].space.outside = Outside::extrapolate;
+    project.spaces[0].space.extrapolation_bound = 0.125f;
+    project.clips[1].facts.custom = {{"load", -2.5f}, {"style", 0.3f}};
     ProjectClip& walk = project.clips[1];
     walk.source_first = 12, walk.source_last = 73;
     walk.provenance = {"cut from frames 12 to 73", "loop closed"};
@@ -101,6 +106,10 @@ TEST(project, a_change_of_any_kind_is_seen_by_comparison) {
     EXPECT_TRUE(differs([](Project& p) { p.clips[1].facts.skate += 0.01f; }));
     EXPECT_TRUE(differs([](Project& p) { p.clips[1].pins.clear(); }));
     EXPECT_TRUE(differs([](Project& p) { p.spaces[0].locked_edges.clear(); }));
+    EXPECT_TRUE(differs([](Project& p) { p.spaces[0].locked_simplices.clear(); }));
+    EXPECT_TRUE(differs([](Project& p) { p.spaces[0].space.weighting = Weighting::barycentric; }));
+    EXPECT_TRUE(differs([](Project& p) { p.spaces[0].space.extrapolation_bound = 0.5f; }));
+    EXPECT_TRUE(differs([](Project& p) { p.clips[1].facts.custom["style"] = 0.4f; }));
     EXPECT_TRUE(differs([](Project& p) { p.spaces[0].space.samples[0][0] = 9; }));
     EXPECT_TRUE(differs([](Project& p) { p.placeholders[0].target[0] += 1; }));
     EXPECT_TRUE(differs([](Project& p) { p.lint.clear(); }));
@@ -129,6 +138,9 @@ TEST(project, messages_name_the_file_and_the_offending_node) {
         {replaced(good, "\"low\": -90.0", "\"low\": 1e999"), "p.json"},
         {replaced(good, "\"low\": -90.0", "\"low\": 1e300"), "/spaces/0/axes/1/low"},
         {replaced(good, "\"low\": -90.0", "\"low\": 90.0"), "\"low\" must be below \"high\""},
+        {replaced(good, "\"gradient-band-polar\"", "\"magic\""), "/spaces/0/weighting: \"magic\" is no weighting"},
+        {replaced(good, "\"extrapolate\"", "\"fly\""), "/spaces/0/outside"},
+        {replaced(good, "\"extrapolation_bound\": 0.125", "\"extrapolation_bound\": 7"), "bound of extrapolation"},
         {replaced(good, "\"hips\": \"Hips\"", "\"hipz\": \"Hips\""), "/roles/hipz"},
         {replaced(good, "\"severity\": \"info\"", "\"severity\": \"bad\""), "use \"info\", \"warning\" or \"error\""},
     };
@@ -137,6 +149,18 @@ TEST(project, messages_name_the_file_and_the_offending_node) {
         EXPECT_NE(message.find(c.part), std::string::npos) << "wanted: " << c.part << "\ngot: " << message;
         EXPECT_EQ(message.rfind("p.json", 0), 0u) << message;
     }
+}
+
+TEST(project, a_space_with_a_wrapping_axis_comes_back_with_its_copies_though_the_file_has_none) {
+    const Project project = make_project({make_clip("idle", 0, 0), make_clip("walk", 1.2f, 0),
+                                          make_clip("back", -1.2f, 0), make_clip("left", 0, 0, 1.2f)},
+                                         {"travel,pace"});
+    const std::string json = project_json(project);
+    EXPECT_EQ(parse_project(json, "p.json"), project);
+    EXPECT_EQ(project_json(parse_project(json, "p.json")), json);
+    std::size_t samples = 0;
+    for (std::size_t at = json.find("\"at\""); at != std::string::npos; at = json.find("\"at\"", at + 1)) ++samples;
+    EXPECT_EQ(samples, static_cast<std::size_t>(project.spaces[0].space.original_count()));
 }
 
 TEST(project, unknown_keys_inside_a_node_are_reported) {
