@@ -28,7 +28,8 @@ struct Options {
     std::vector<std::string> axes, styles, upper_styles;
     float extrapolate = -1;
     double unit_scale = 0;
-    bool strict = false, use_default = false, no_mannequin = false, no_retarget = false, json = false, probe = false, fix = false;
+    bool strict = false, use_default = false, no_mannequin = false, no_retarget = false, json = false, probe = false,
+         fix = false;
     int grid = 0, probe_grid = 0;
 };
 

@@ -37,7 +37,8 @@ class Chart {
         out_ = fmt::format(
             "<svg class=\"space\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" "
             "aria-label=\"Blend space {}: {} and what lies between them\" data-map=\"{}\">\n",
-            frame_.width, frame_.height, escape_html(space_.name), space_.clips.size() == 1 ? "one clip" : "its clips", map());
+            frame_.width, frame_.height, escape_html(space_.name), space_.clips.size() == 1 ? "one clip" : "its clips",
+            map());
         defs();
         grid();
         triangles();

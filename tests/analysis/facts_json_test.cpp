@@ -20,7 +20,7 @@ auto fields(const ClipFacts& facts) {
     const auto& [name, file, frames, joints, fps, duration, forward, lateral, speed, chord, turn, travel, slope, climb,
                  in_place, cyclic, locomotion, not_locomotion, cadence, stride, duty, events, contacts, skate, seam,
                  seam_speed, loop_error, closing, root_disagreement_speed, root_disagreement_turn, hip_height, height,
-                 unit_scale, warnings] = facts;
+                 unit_scale, warnings, custom] = facts;
     const std::vector<std::pair<const char*, float>> numbers = {{"frames", static_cast<float>(frames)},
                                                                 {"joints", static_cast<float>(joints)},
                                                                 {"fps", fps},
@@ -53,7 +53,7 @@ auto fields(const ClipFacts& facts) {
     texts.insert(texts.end(), warnings.begin(), warnings.end());
     std::vector<std::tuple<Side, StrideEvent, float>> steps;
     for (const PhaseEvent& event : events) steps.emplace_back(event.foot, event.kind, event.time);
-    return std::tuple(numbers, texts, steps, contacts[0], contacts[1]);
+    return std::tuple(numbers, texts, steps, contacts[0], contacts[1], custom);
 }
 
 ClipFacts nothing_default() {
@@ -95,20 +95,22 @@ ClipFacts nothing_default() {
     facts.hip_height = 0.93f;
     facts.height = 1.78f;
     facts.unit_scale = 0.0254f;
+    facts.custom = {{"mood", -0.25f}, {"style", 0.5f}};
     facts.warnings = {"one", "two: \xE2\x80\xA6"};
     return facts;
 }
 
 /// Equal but for the last digit of seven that a number is written with.
 void expect_same(const ClipFacts& a, const ClipFacts& b) {
-    const auto [numbers_a, texts_a, events_a, left_a, right_a] = fields(a);
-    const auto [numbers_b, texts_b, events_b, left_b, right_b] = fields(b);
+    const auto [numbers_a, texts_a, events_a, left_a, right_a, custom_a] = fields(a);
+    const auto [numbers_b, texts_b, events_b, left_b, right_b, custom_b] = fields(b);
     for (std::size_t i = 0; i < numbers_a.size(); ++i)
         EXPECT_NEAR(numbers_a[i].second, numbers_b[i].second, 1e-6f * std::fabs(numbers_a[i].second))
             << numbers_a[i].first;
     EXPECT_EQ(texts_a, texts_b);
     EXPECT_EQ(left_a, left_b);
     EXPECT_EQ(right_a, right_b);
+    EXPECT_EQ(custom_a, custom_b);
     ASSERT_EQ(events_a.size(), events_b.size());
     for (std::size_t i = 0; i < events_a.size(); ++i) {
         EXPECT_EQ(std::get<0>(events_a[i]), std::get<0>(events_b[i]));
@@ -124,14 +126,15 @@ std::vector<std::string> keys(const Json& object) {
 }
 
 TEST(facts_json, the_example_leaves_no_field_at_its_default) {
-    const auto [numbers, texts, events, left, right] = fields(nothing_default());
-    const auto [numbers_0, texts_0, events_0, left_0, right_0] = fields(ClipFacts{});
+    const auto [numbers, texts, events, left, right, custom] = fields(nothing_default());
+    const auto [numbers_0, texts_0, events_0, left_0, right_0, custom_0] = fields(ClipFacts{});
     for (std::size_t i = 0; i < numbers.size(); ++i)
         EXPECT_NE(numbers[i].second, numbers_0[i].second) << numbers[i].first;
     for (const std::string& text : texts) EXPECT_NE(text, "");
     EXPECT_NE(events, events_0);
     EXPECT_NE(left, left_0);
     EXPECT_NE(right, right_0);
+    EXPECT_NE(custom, custom_0);
 }
 
 TEST(facts_json, every_field_survives_the_way_through_text) {
@@ -153,7 +156,9 @@ TEST(facts_json, a_listing_has_exactly_the_keys_of_the_contract) {
                                                "slope_deg",     "in_place",     "cyclic",     "cadence_steps_min",
                                                "stride_m",      "phase_events", "skate_cm_s", "seam_cm",
                                                "loop_error_cm", "height_m",     "unit_scale", "warnings"};
-    EXPECT_EQ(keys(facts_to_json(nothing_default(), FactsDetail::listed)), contract);
+    std::vector<std::string> with_own = contract;
+    with_own.push_back("custom");  // only where a person gave numbers
+    EXPECT_EQ(keys(facts_to_json(nothing_default(), FactsDetail::listed)), with_own);
     EXPECT_EQ(keys(facts_to_json(ClipFacts{}, FactsDetail::listed)), contract);  // absent facts are null, not missing
     const Json listed = facts_to_json(nothing_default(), FactsDetail::listed);
     EXPECT_EQ(keys(listed["phase_events"][0]), (std::vector<std::string>{"foot", "kind", "time_s"}));

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <set>
 
@@ -59,7 +61,7 @@ Motion make_clip_of(const Wanted& wanted, const Biped& biped) {
 class FigureOne : public testing::Test {
   protected:
     static void SetUpTestSuite() {
-        const fs::path folder = fs::temp_directory_path() / "surefoot_figure_one";
+        const fs::path folder = fs::temp_directory_path() / ("surefoot_figure_one_" + std::to_string(getpid()));
         fs::remove_all(folder);
         const Biped biped = make_biped();
         for (const Wanted& wanted : k_figure) {

@@ -247,7 +247,7 @@ TEST_F(Files, a_folder_that_cannot_be_written_is_reported_and_left_alone) {
 
 TEST_F(Files, a_full_disk_leaves_what_was_there) {
     if (geteuid() != 0 || mount("tmpfs", folder_.c_str(), "tmpfs", 0, "size=64k") != 0)
-        GTEST_SKIP() << "a small disk can only be made by root";
+        GTEST_SKIP() << "not run: a small disk can only be made by root";
     write_file(folder_ / "x.bvh", "before");
     std::string problem;
     try {

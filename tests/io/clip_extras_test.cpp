@@ -23,7 +23,7 @@ std::string events_of(const std::string& extras) {
 }
 
 ClipEdit edit(ClipEdit::Kind kind, float from, float duration, bool cyclic) {
-    return {kind, from, duration, cyclic, "edited"};
+    return {.kind = kind, .from = from, .duration = duration, .cyclic = cyclic, .text = "edited"};
 }
 
 TEST(ClipExtras, mirroring_exchanges_the_feet) {

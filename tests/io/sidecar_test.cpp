@@ -4,6 +4,7 @@
 #include <surefoot/io/sidecar.h>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -56,7 +57,7 @@ TEST(sidecar, what_is_wrong_with_one_is_told_with_its_place) {
 }
 
 TEST(sidecar, clips_are_loaded_with_the_numbers_beside_them) {
-    const auto folder = std::filesystem::temp_directory_path() / "surefoot_sidecar_test";
+    const auto folder = std::filesystem::temp_directory_path() / ("surefoot_sidecar_test_" + std::to_string(getpid()));
     std::filesystem::remove_all(folder);
     const char* bvh =
         "HIERARCHY\nROOT hips\n{\nOFFSET 0 90 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation "

@@ -21,4 +21,5 @@ inline std::filesystem::path motion_data() {
 /// Use at the start of a test: declares `variable` as the folder of real clips, or skips the test with a message.
 #define SUREFOOT_NEED_MOTION_DATA(variable)                                 \
     const std::filesystem::path variable = ::surefoot::test::motion_data(); \
-    if (variable.empty()) GTEST_SKIP() << "no real motion at ../shared/motion (set SUREFOOT_MOTION to its folder)"
+    if (variable.empty())                                                   \
+    GTEST_SKIP() << "not run: no real motion at ../shared/motion (set SUREFOOT_MOTION to its folder)"
