@@ -2,6 +2,7 @@
 #include <surefoot/analysis/treadmill.h>
 
 #include <algorithm>
+#include <array>
 
 namespace surefoot {
 namespace {
@@ -25,6 +26,7 @@ struct Sample {
     int frame;
     float rx, rz, vx, vz, weight;
     bool rotation;  // vx holds a yaw rate instead
+    std::size_t foot;
 };
 
 std::vector<Vec3> relative_to(const std::vector<Vec3>& points, Vec3 centre) {
@@ -61,25 +63,27 @@ PointTrack track_point(const std::vector<Vec3>& points, Vec3 centre, float fps, 
 
 /// A point counts in full while the other end of the foot stands, too: a heel or ball that the foot rolls over creeps
 /// forward, which would read as a slower ground.
-void add_samples(std::vector<Sample>& samples, const PointTrack& point, const PointTrack& other, float rolling) {
+void add_samples(std::vector<Sample>& samples, const PointTrack& point, const PointTrack& other, float rolling,
+                 std::size_t side) {
     for (std::size_t f = 0; f < point.path.size(); ++f) {
         const Vec3 r = point.path[f], v = point.velocity[f];
         const float weight = point.certainty[f] * (rolling + (1 - rolling) * other.certainty[f]);
-        if (weight > 0.005f) samples.push_back({static_cast<int>(f), r.x, r.z, v.x, v.z, weight, false});
+        if (weight > 0.005f) samples.push_back({static_cast<int>(f), r.x, r.z, v.x, v.z, weight, false, side});
     }
 }
 
 std::vector<Sample> standing_samples(const Tracks& tracks, Vec3 centre, float scale, float rolling) {
     std::vector<Sample> samples;
-    for (const FootTrack& foot : tracks.foot) {
+    for (std::size_t side = 0; side < 2; ++side) {
+        const FootTrack& foot = tracks.foot[side];
         const PointTrack heel = track_point(foot.heel, centre, tracks.fps, scale);
         const PointTrack ball = track_point(foot.ball, centre, tracks.fps, scale);
-        add_samples(samples, heel, ball, rolling);
-        add_samples(samples, ball, heel, rolling);
+        add_samples(samples, heel, ball, rolling, side);
+        add_samples(samples, ball, heel, rolling, side);
         const std::vector<float> rate = derivative(smoothed(foot.yaw, k_smoothing * tracks.fps), tracks.fps);
         for (std::size_t f = 0; f < rate.size(); ++f)
             if (const float flat = heel.certainty[f] * ball.certainty[f]; flat > 0.05f)
-                samples.push_back({static_cast<int>(f), 0, 0, rate[f], 0, flat, true});
+                samples.push_back({static_cast<int>(f), 0, 0, rate[f], 0, flat, true, side});
     }
     return samples;
 }
@@ -131,30 +135,74 @@ Solution median_start(const std::vector<Sample>& samples) {
     return {weighted_median(x), weighted_median(z), 0};
 }
 
-/// Weighted least squares for (vx, vz, turn), three normal equations; or for (vx, vz) with the turn given.
-Solution least_squares(const std::vector<Sample>& samples, const std::vector<float>& weights, const float* given_turn) {
-    double n = 0, sx = 0, sz = 0, r2 = 0, bx = 0, bz = 0, bt = 0;
+/// Least squares of one turn rate from equations value + turn * arm = common, whose common part is unknown.
+class TurnEquations {
+  public:
+    void add(double arm, double value, double weight) {
+        weights_ += weight, arms_ += weight * arm, values_ += weight * value;
+        squares_ += weight * arm * arm, products_ += weight * arm * value;
+    }
+    double square() const { return squares_ - (weights_ > 0 ? arms_ * arms_ / weights_ : 0); }
+    double product() const { return products_ - (weights_ > 0 ? arms_ * values_ / weights_ : 0); }
+
+  private:
+    double weights_ = 0, arms_ = 0, values_ = 0, squares_ = 0, products_ = 0;
+};
+
+/// The turn that makes standing points stand. What bodies do with every step must not be taken for one. They surge:
+/// along the way each frame has a velocity of its own, common to its points. They sway towards the standing foot and
+/// away, and feet twist under them: both do so to the other side on the other foot, by as much.
+float best_turn(const std::vector<Sample>& samples, const std::vector<float>& weights, const Solution& start,
+                int frames) {
+    constexpr float k_goes = 0.2f;     // [m/s] slower, there is no way along which a body could surge
+    constexpr double k_sway = 0.0005;  // [m^2] the information that it takes to tell a sway from a turn
+    constexpr double k_twist = 0.01;   // [m^2] likewise, of feet that twist
+    const float speed = std::sqrt(start.vx * start.vx + start.vz * start.vz);
+    const bool goes = speed > k_goes;
+    const float dx = goes ? start.vx / speed : 0, dz = goes ? start.vz / speed : 1;
+    std::vector<TurnEquations> along(goes ? static_cast<std::size_t>(frames) : 1);
+    std::array<TurnEquations, 2> across;
+    std::array<double, 2> yaw_square{}, yaw_product{};
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const Sample& s = samples[i];
         const double w = static_cast<double>(weights[i]);
         if (s.rotation) {
             const double arm = w * static_cast<double>(k_yaw_arm * k_yaw_arm);
-            r2 += arm;
-            bt -= arm * static_cast<double>(s.vx);
+            yaw_square[s.foot] += arm;
+            yaw_product[s.foot] += arm * static_cast<double>(s.vx);
             continue;
         }
-        const double rx = static_cast<double>(s.rx), rz = static_cast<double>(s.rz);
-        const double vx = static_cast<double>(s.vx), vz = static_cast<double>(s.vz);
-        n += w, sx += w * rx, sz += w * rz, r2 += w * (rx * rx + rz * rz);
-        bx -= w * vx, bz -= w * vz, bt += w * (rx * vz - rz * vx);
+        along[goes ? static_cast<std::size_t>(s.frame) : 0].add(static_cast<double>(s.rz * dx - s.rx * dz),
+                                                                static_cast<double>(s.vx * dx + s.vz * dz), w);
+        across[s.foot].add(static_cast<double>(-s.rz * dz - s.rx * dx), static_cast<double>(-s.vx * dz + s.vz * dx), w);
+    }
+    // (turn, sway, twist): left feet see turn + sway and turn + twist, right feet turn - sway and turn - twist.
+    double square = 0, product = 0;
+    for (const TurnEquations& frame : along) square += frame.square(), product += frame.product();
+    const auto both_sides = [&](double left, double right, double left_product, double right_product, double belief) {
+        const double sum = left + right, difference = left - right, own = sum + belief;
+        const double product_sum = left_product + right_product, product_difference = left_product - right_product;
+        square += sum - difference * difference / own;
+        product += product_sum - difference * product_difference / own;
+    };
+    both_sides(across[0].square(), across[1].square(), across[0].product(), across[1].product(), k_sway);
+    both_sides(yaw_square[0], yaw_square[1], yaw_product[0], yaw_product[1], k_twist);
+    return square > 1e-9 ? static_cast<float>(-product / square) : 0;
+}
+
+/// Weighted least squares for (vx, vz) with the turn given.
+Solution best_velocity(const std::vector<Sample>& samples, const std::vector<float>& weights, float turn) {
+    double n = 0, x = 0, z = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const Sample& s = samples[i];
+        if (s.rotation) continue;
+        const double w = static_cast<double>(weights[i]);
+        n += w;
+        x += w * static_cast<double>(s.vx + turn * s.rz);
+        z += w * static_cast<double>(s.vz - turn * s.rx);
     }
     if (!(n > 1e-6)) return {};
-    // [n 0 sz; 0 n -sx; sz -sx r2] (vx vz turn) = (bx bz bt)
-    const double det = r2 - (sx * sx + sz * sz) / n;
-    const double free_turn = det > 1e-6 * n ? (bt - (sz * bx - sx * bz) / n) / det : 0;
-    const double turn = given_turn ? static_cast<double>(*given_turn) : free_turn;
-    return {static_cast<float>((bx - sz * turn) / n), static_cast<float>((bz + sx * turn) / n),
-            static_cast<float>(turn)};
+    return {static_cast<float>(-x / n), static_cast<float>(-z / n), turn};
 }
 
 std::vector<float> robust_weights(const std::vector<Sample>& samples, const Solution& solution, float scale,
@@ -172,12 +220,13 @@ std::vector<float> robust_weights(const std::vector<Sample>& samples, const Solu
     return weights;
 }
 
-Solution solve(const std::vector<Sample>& samples, float scale, float fps, const float* given_turn,
+Solution solve(const std::vector<Sample>& samples, int frames, float scale, float fps, const float* given_turn,
                std::vector<float>& weights) {
     Solution solution = median_start(samples);
     for (int round = 0; round < k_rounds; ++round) {
         weights = robust_weights(samples, solution, scale, fps);
-        solution = least_squares(samples, weights, given_turn);
+        solution =
+            best_velocity(samples, weights, given_turn ? *given_turn : best_turn(samples, weights, solution, frames));
     }
     return solution;
 }
@@ -228,13 +277,13 @@ GroundMotion estimate_ground_motion(const Tracks& tracks, float leg_length, cons
     // both ends of long stances hold the turn much better than flat feet alone. The two answers err independently.
     std::vector<Sample> samples = standing_samples(tracks, motion.centre, scale, 1);
     if (samples.empty()) return motion;
-    const float rolling_turn = solve(samples, scale, tracks.fps, nullptr, weights).turn;
+    const float rolling_turn = solve(samples, tracks.frame_count(), scale, tracks.fps, nullptr, weights).turn;
     const bool held = holds_hips_still(tracks, motion.centre, scale);
     if (!held && flat_share(samples, tracks.frame_count()) > k_flat_runner)  // a sprinter never has a foot flat
         samples = standing_samples(tracks, motion.centre, scale, k_rolling_share);
-    const float flat_turn = solve(samples, scale, tracks.fps, nullptr, weights).turn;
+    const float flat_turn = solve(samples, tracks.frame_count(), scale, tracks.fps, nullptr, weights).turn;
     const float turn = given_turn ? *given_turn : k_rolling_turn * rolling_turn + (1 - k_rolling_turn) * flat_turn;
-    Solution solution = solve(samples, scale, tracks.fps, &turn, weights);
+    Solution solution = solve(samples, tracks.frame_count(), scale, tracks.fps, &turn, weights);
     solution = averaged_over_time(samples, weights, solution, tracks.frame_count(), held ? k_sure_held : k_sure,
                                   motion.coverage);
     motion.velocity = {solution.vx, 0, solution.vz};
