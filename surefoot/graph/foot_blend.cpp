@@ -53,14 +53,14 @@ bool gather(std::span<const PackedClip> clips, const LocomotionFrame& frame, std
     return true;
 }
 
-/// Share of the step that the blended foot stands: mean stance over mean step, so that its way on the ground is the
-/// mean of the clips' ways.
+/// Share of the step's phase for which the blended foot stands: a mean by the steps' durations, so that its way on the
+/// ground is the mean of the clips' ways. A lone stepping clip keeps its own.
 float blended_duty(const FootLeaves& leaves) noexcept {
     float stance = 0, duration = 0;
     for (const FootLeaf& leaf : leaves.all()) {
         if (leaf.clip->cycles == 0) continue;
         const FootStep& step = leaf.track->steps[static_cast<std::size_t>(leaf.step)];
-        stance += leaf.say * step.stance;
+        stance += leaf.say * step.duration * step.lift;
         duration += leaf.say * step.duration;
     }
     return duration > 0 ? std::clamp(stance / duration, k_least_duty, k_most_duty) : 0.5f;
@@ -153,7 +153,8 @@ float pace_of(const FootLeaves& leaves, const LocomotionFrame& frame) noexcept {
     float seconds = 0;
     for (const FootLeaf& leaf : leaves.all())
         if (leaf.clip->cycles > 0)
-            seconds += leaf.say * phase_time(*leaf.clip, phase_in(*leaf.clip, frame.phase, frame.cycle)).slope;
+            seconds +=
+                leaf.say * phase_time(*leaf.clip, phase_in(*leaf.clip, frame.phase_before, frame.cycle_before)).slope;
     const float pace = seconds * frame.phase_rate;
     return pace > 0 ? std::clamp(pace, 1 / k_most_pace, k_most_pace) : 1.0f;
 }

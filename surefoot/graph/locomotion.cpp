@@ -351,6 +351,8 @@ LocomotionFrame update(const LocomotionGraph& graph, LocomotionState& state, con
         for (int i = 0; i < mix.count; ++i) mix.active[i].weight *= 1 - style_weight;
         add_style(mix, *style, mix.velocity, mix.turn, style_weight);
     }
+    frame.phase_before = state.phase;
+    frame.cycle_before = state.cycle;
     frame.phase_rate = phase_rate(graph, mix, state.phase, state.cycle);
     frame.root_delta = integrate(mix.velocity, mix.turn, dt);
     advance(state, frame.phase_rate, dt);

@@ -141,7 +141,9 @@ struct LocomotionFrame {
     Vec3 velocity;            ///< [m/s] of the root in its own frame: what was obtained
     float turn = 0;           ///< [deg/s] the same
     float phase = 0;          ///< [0, 1) after the step
-    float phase_rate = 0;     ///< [cycles/s]
+    float phase_rate = 0;     ///< [cycles/s] at `phase_before`
+    float phase_before = 0;   ///< before this frame's time passed
+    std::uint32_t cycle_before = 0;
     std::uint32_t cycle = 0;  ///< full cycles so far, as in the state
     bool stepping = false;    ///< some leaf has steps (else phase stands still)
     bool clamped = false;     ///< the request lay outside what the clips cover

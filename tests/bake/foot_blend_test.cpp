@@ -28,9 +28,9 @@ struct Footwork {
     float share = 0;    ///< of all samples
 };
 
-/// Walks two cycles as asked and looks at heels and balls. `blend_feet` off: joint angles alone.
-Footwork walk(const LocomotionRequest& request, bool feet, Outside outside = Outside::clamp) {
-    const Character& character = default_character();
+/// Walks two cycles as asked and looks at heels and balls. `feet` off: joint angles alone.
+Footwork walk(const LocomotionRequest& request, bool feet, Outside outside = Outside::clamp,
+              const Character& character = default_character()) {
     LocomotionGraph graph = character.graph;
     if (!feet) graph.legs = {};
     graph.facing.space.outside = outside;
@@ -78,6 +78,26 @@ TEST(FootBlend, planted_feet_of_blends_stand_still_and_on_the_ground) {
                                  std::to_string(request.lateral) + " m/s to the left: ";
         EXPECT_LT(work.slide, 0.03f) << what;
         EXPECT_LT(work.deepest, 0.006f) << what;
+    }
+}
+
+TEST(FootBlend, feet_stand_still_though_the_strikes_of_a_clip_are_unevenly_spaced) {
+    auto clips = test::default_clips();
+    const float duty = 0.62f;
+    for (AnalyzedClip& clip : clips) {
+        if (clip.facts.name != "walk") continue;
+        // The right foot is said to strike early: its stance then begins in the air, and holds all of the true one.
+        const float cycle = clip.motion.duration();
+        clip.facts.events = {{Side::left, StrideEvent::strike, 0},
+                             {Side::right, StrideEvent::toe_off, (duty - 0.5f) * cycle},
+                             {Side::right, StrideEvent::strike, 0.4f * cycle},
+                             {Side::left, StrideEvent::toe_off, duty * cycle}};
+    }
+    const Character uneven = bake_character(clips, test::spaces_for(clips), "uneven");
+    for (const float speed : {0.4f, 0.7f, 1.0f}) {
+        const Footwork even_work = walk({speed, 0, 0}, true), work = walk({speed, 0, 0}, true, Outside::clamp, uneven);
+        EXPECT_LT(work.slide, even_work.slide + 0.01f) << speed;
+        EXPECT_LT(work.deepest, 0.006f) << speed;
     }
 }
 
