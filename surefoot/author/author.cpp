@@ -51,6 +51,7 @@ ProjectClip describe(const Candidate& candidate) {
     clip.source_first = candidate.clip.source_first;
     clip.source_last = candidate.clip.source_last;
     clip.provenance = candidate.provenance;
+    clip.retargeted = candidate.retargeted;
     return clip;
 }
 

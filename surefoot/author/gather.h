@@ -19,6 +19,7 @@ struct Candidate {
     AnalyzedClip clip;
     std::vector<std::string> provenance;
     bool cut_from_take = false;  ///< we chose it; a clip that the user made stays in even where it is one too many
+    bool retargeted = false;     ///< it comes from another skeleton
     bool out = false;            ///< the user left it out: no other clip gives way to it
 };
 

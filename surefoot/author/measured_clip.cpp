@@ -61,8 +61,8 @@ static void fields(ByteReader& archive, AnalyzedClip& value) { fields_of_clip(ar
 
 template <typename Archive, typename Value>
 void fields_of_candidate(Archive& archive, Value& candidate) {
-    auto& [clip, provenance, cut_from_take, out] = candidate;
-    archive(clip, provenance, cut_from_take, out);
+    auto& [clip, provenance, cut_from_take, retargeted, out] = candidate;
+    archive(clip, provenance, cut_from_take, retargeted, out);
 }
 static void fields(ByteWriter& archive, const Candidate& value) { fields_of_candidate(archive, value); }
 static void fields(ByteReader& archive, Candidate& value) { fields_of_candidate(archive, value); }

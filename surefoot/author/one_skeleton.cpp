@@ -52,6 +52,7 @@ Outcome move_onto(Candidate& candidate, const Actor& source, const Actor& target
     try {
         RetargetReport report;
         candidate.clip = retargeted(candidate.clip, source, target, &report);
+        candidate.retargeted = true;
         candidate.provenance.push_back(fmt::format(
             "retargeted from another skeleton ({} joints) to that of {} ({} joints, legs {:.3f} times as long)",
             source.body.skeleton->joint_count(), target.name, target.body.skeleton->joint_count(), report.scale));

@@ -48,6 +48,7 @@ Json to_json(const ProjectClip& clip) {
     result["file"] = clip.file.empty() ? Json() : Json(clip.file);
     result["source"] = {{"file", clip.source}, {"first_frame", clip.source_first}, {"last_frame", clip.source_last}};
     result["provenance"] = clip.provenance;
+    if (clip.retargeted) result["retargeted"] = true;
     Json pins = Json::object();
     for (const PinnedPlace& pin : clip.pins) pins[pin.space] = numbers(pin.values);
     result["pins"] = pins;
@@ -217,6 +218,7 @@ ProjectClip read_clip(JsonNode node) {
         source.finish();
     }
     if (node.has("provenance")) clip.provenance = node.at("provenance").texts();
+    if (node.has("retargeted")) clip.retargeted = node.at("retargeted").flag();
     if (node.has("style")) clip.style = node.at("style").text();
     if (node.has("upper_body")) clip.upper_body = node.at("upper_body").flag();
     if (node.has("pins"))
@@ -454,9 +456,9 @@ std::optional<Severity> severity_from_name(std::string_view name) noexcept {
 
 bool operator==(const ProjectClip& a, const ProjectClip& b) {
     return a.name == b.name && a.file == b.file && a.source == b.source && a.source_first == b.source_first &&
-           a.source_last == b.source_last && a.provenance == b.provenance && a.pins == b.pins && a.style == b.style &&
-           a.upper_body == b.upper_body && a.excluded == b.excluded && a.excluded_by_user == b.excluded_by_user &&
-           a.reason == b.reason && a.repair == b.repair &&
+           a.source_last == b.source_last && a.provenance == b.provenance && a.retargeted == b.retargeted &&
+           a.pins == b.pins && a.style == b.style && a.upper_body == b.upper_body && a.excluded == b.excluded &&
+           a.excluded_by_user == b.excluded_by_user && a.reason == b.reason && a.repair == b.repair &&
            facts_to_json(a.facts, FactsDetail::full) == facts_to_json(b.facts, FactsDetail::full);
 }
 

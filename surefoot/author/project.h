@@ -38,6 +38,7 @@ struct ProjectClip {
     std::string source;                     ///< the file it came from, as the user gave it, with #NAME where needed
     int source_first = 0, source_last = 0;  ///< frames of the source, both included
     std::vector<std::string> provenance;    ///< what was done to it, in order: "cut from frames 120 to 184", …
+    bool retargeted = false;                ///< it comes from another skeleton than the project's
 
     std::vector<PinnedPlace> pins;
     std::string style;              ///< "drunk": it shows that style, in a space of its own; empty: plain locomotion

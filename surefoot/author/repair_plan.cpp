@@ -427,8 +427,8 @@ double strangeness(const Workbench& bench, const ProjectSpace& space, const std:
     return count > 0 ? sum / count : 0;
 }
 
-/// One of two is left out: what lies off the axes, then a made clip before a recorded one, then the one whose poses are
-/// farther from the others'.
+/// One of two is left out: what lies off the axes, then a made clip before a recorded one, one from another skeleton
+/// before one that needed no retargeting, then the one whose poses are farther from the others'.
 void plan_keeping_one(const Workbench& bench, const ProjectSpace& space, const Finding& finding,
                       std::vector<RepairPlan>& plans) {
     if (finding.clips.size() != 2) return;
@@ -436,6 +436,10 @@ void plan_keeping_one(const Workbench& bench, const ProjectSpace& space, const F
     const auto made = [&](const std::string& name) {
         const int index = bench.project.find_clip(name);
         return index >= 0 && bench.project.clips[static_cast<std::size_t>(index)].made();
+    };
+    const auto was_retargeted = [&](const std::string& name) {
+        const int index = bench.project.find_clip(name);
+        return index >= 0 && bench.project.clips[static_cast<std::size_t>(index)].retargeted;
     };
     // The main directions are worth more than what lies between them.
     const auto off_axis = [&](const std::string& name) {
@@ -450,7 +454,10 @@ void plan_keeping_one(const Workbench& bench, const ProjectSpace& space, const F
     constexpr double k_matters = 1.5;  // [%]
     const double nearer = off_axis(keep) - off_axis(drop);
     const bool stranger = strangeness(bench, space, keep) > strangeness(bench, space, drop) + 1e-4;
-    if (std::fabs(nearer) > k_matters ? nearer > 0 : made(keep) != made(drop) ? made(keep) : stranger)
+    if (std::fabs(nearer) > k_matters                  ? nearer > 0
+        : made(keep) != made(drop)                     ? made(keep)
+        : was_retargeted(keep) != was_retargeted(drop) ? was_retargeted(keep)
+                                                       : stranger)
         std::swap(keep, drop);
     for (int turn = 0; turn < 2; ++turn, std::swap(keep, drop)) {
         Planner planner(bench);

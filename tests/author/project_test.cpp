@@ -50,6 +50,7 @@ Project full_project() {
     ProjectClip drunk = make_clip("drunk", 1.1f, 0);
     drunk.style = "drunk";
     drunk.upper_body = true;
+    drunk.retargeted = true;
     project.clips.push_back(drunk);
     ProjectSpace style;
     style.name = "style:drunk";
