@@ -103,7 +103,7 @@ void measure_heights(const Tracks& tracks, ClipFacts& facts) {
 
 /// The slip of the standing feet under the root motion that the clip has.
 void measure_disagreement(const Motion& motion, const Tracks& tracks, float leg_length, ClipFacts& facts) {
-    const GroundMotion slip = estimate_ground_motion(tracks, leg_length);
+    const GroundMotion slip = estimate_slip(tracks, motion.root, leg_length);
     const bool usable = slip.coverage > 0.2f && motion.frame_count() > 3;
     facts.root_disagreement_speed = usable ? slip.speed() : 0;
     facts.root_disagreement_turn = usable ? std::fabs(slip.turn) * k_degrees_per_radian : 0;

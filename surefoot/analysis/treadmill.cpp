@@ -29,11 +29,17 @@ struct Sample {
     std::size_t foot;
 };
 
-std::vector<Vec3> relative_to(const std::vector<Vec3>& points, Vec3 centre) {
-    std::vector<Vec3> result;
-    for (const Vec3 p : points) result.push_back(p - centre);
-    return result;
-}
+/// From where the feet are watched: a fixed centre, under which the ground runs, or a root that moves over it.
+struct Viewpoint {
+    Vec3 centre;
+    std::span<const RootFrame> root;  // one a frame, or none
+    Vec3 way;                         // [m/s] of the root in its own frame, mean
+
+    Vec3 place(Vec3 p, std::size_t f) const {
+        return root.empty() ? p - centre : rotate(from_yaw(-root[f].yaw), p - root[f].position);
+    }
+    Vec3 direction(Vec3 v, std::size_t f) const { return root.empty() ? v : rotate(from_yaw(-root[f].yaw), v); }
+};
 
 float low_height(const std::vector<Vec3>& points, float scale) {
     std::vector<float> heights;
@@ -47,12 +53,14 @@ struct PointTrack {
     std::vector<float> certainty;
 };
 
-PointTrack track_point(const std::vector<Vec3>& points, Vec3 centre, float fps, float scale) {
+PointTrack track_point(const std::vector<Vec3>& points, const Viewpoint& view, float fps, float scale) {
     PointTrack track;
-    track.path = smoothed(relative_to(points, centre), k_smoothing * fps);
+    track.path = smoothed(points, k_smoothing * fps);
     track.velocity = derivative(track.path, fps);
     const float low = low_height(points, scale);
     for (std::size_t f = 0; f < points.size(); ++f) {
+        track.path[f] = view.place(track.path[f], f);
+        track.velocity[f] = view.direction(track.velocity[f], f);
         const Vec3 v = track.velocity[f];
         const float height = std::max(0.0f, points[f].y - low) / (k_height_scale * scale);
         const float rise = v.y / std::max(k_vertical_scale, k_vertical_slope * planar_length(v));
@@ -72,12 +80,12 @@ void add_samples(std::vector<Sample>& samples, const PointTrack& point, const Po
     }
 }
 
-std::vector<Sample> standing_samples(const Tracks& tracks, Vec3 centre, float scale, float rolling) {
+std::vector<Sample> standing_samples(const Tracks& tracks, const Viewpoint& view, float scale, float rolling) {
     std::vector<Sample> samples;
     for (std::size_t side = 0; side < 2; ++side) {
         const FootTrack& foot = tracks.foot[side];
-        const PointTrack heel = track_point(foot.heel, centre, tracks.fps, scale);
-        const PointTrack ball = track_point(foot.ball, centre, tracks.fps, scale);
+        const PointTrack heel = track_point(foot.heel, view, tracks.fps, scale);
+        const PointTrack ball = track_point(foot.ball, view, tracks.fps, scale);
         add_samples(samples, heel, ball, rolling, side);
         add_samples(samples, ball, heel, rolling, side);
         const std::vector<float> rate = derivative(smoothed(foot.yaw, k_smoothing * tracks.fps), tracks.fps);
@@ -98,11 +106,17 @@ float flat_share(const std::vector<Sample>& samples, int frames) {
 
 /// Were the hips held still frame by frame, by a tool? The surge of the body is in the feet then, which are slowest in
 /// the middle of a stance: flat feet must not speak for the rest.
-bool holds_hips_still(const Tracks& tracks, Vec3 centre, float scale) {
+bool holds_hips_still(const Tracks& tracks, const Viewpoint& view, float scale) {
+    std::vector<Vec3> places;
+    Vec3 mean;
+    for (std::size_t f = 0; f < tracks.hips.size(); ++f) {
+        places.push_back(view.place(tracks.hips[f].translation, f));
+        mean += places.back() / static_cast<float>(tracks.hips.size());
+    }
     float stray = 0;
-    for (const Transform& hips : tracks.hips) {
-        const float d = planar_length(hips.translation - centre) / scale;
-        stray += d * d / static_cast<float>(tracks.hips.size());
+    for (const Vec3 place : places) {
+        const float d = planar_length(place - mean) / scale;
+        stray += d * d / static_cast<float>(places.size());
     }
     return stray < k_held_hips * k_held_hips;
 }
@@ -152,14 +166,13 @@ class TurnEquations {
 /// The turn that makes standing points stand. What bodies do with every step must not be taken for one. They surge:
 /// along the way each frame has a velocity of its own, common to its points. They sway towards the standing foot and
 /// away, and feet twist under them: both do so to the other side on the other foot, by as much.
-float best_turn(const std::vector<Sample>& samples, const std::vector<float>& weights, const Solution& start,
-                int frames) {
+float best_turn(const std::vector<Sample>& samples, const std::vector<float>& weights, Vec3 way, int frames) {
     constexpr float k_goes = 0.2f;     // [m/s] slower, there is no way along which a body could surge
     constexpr double k_sway = 0.0005;  // [m^2] the information that it takes to tell a sway from a turn
     constexpr double k_twist = 0.01;   // [m^2] likewise, of feet that twist
-    const float speed = std::sqrt(start.vx * start.vx + start.vz * start.vz);
+    const float speed = planar_length(way);
     const bool goes = speed > k_goes;
-    const float dx = goes ? start.vx / speed : 0, dz = goes ? start.vz / speed : 1;
+    const float dx = goes ? way.x / speed : 0, dz = goes ? way.z / speed : 1;
     std::vector<TurnEquations> along(goes ? static_cast<std::size_t>(frames) : 1);
     std::array<TurnEquations, 2> across;
     std::array<double, 2> yaw_square{}, yaw_product{};
@@ -220,13 +233,13 @@ std::vector<float> robust_weights(const std::vector<Sample>& samples, const Solu
     return weights;
 }
 
-Solution solve(const std::vector<Sample>& samples, int frames, float scale, float fps, const float* given_turn,
-               std::vector<float>& weights) {
+Solution solve(const std::vector<Sample>& samples, int frames, const Viewpoint& view, float scale, float fps,
+               const float* given_turn, std::vector<float>& weights) {
     Solution solution = median_start(samples);
     for (int round = 0; round < k_rounds; ++round) {
         weights = robust_weights(samples, solution, scale, fps);
-        solution =
-            best_velocity(samples, weights, given_turn ? *given_turn : best_turn(samples, weights, solution, frames));
+        const Vec3 way{solution.vx + view.way.x, 0, solution.vz + view.way.z};
+        solution = best_velocity(samples, weights, given_turn ? *given_turn : best_turn(samples, weights, way, frames));
     }
     return solution;
 }
@@ -264,28 +277,24 @@ Solution averaged_over_time(const std::vector<Sample>& samples, const std::vecto
     return {start.vx - static_cast<float>(sum_x / time), start.vz - static_cast<float>(sum_z / time), start.turn};
 }
 
-}  // namespace
-
-GroundMotion estimate_ground_motion(const Tracks& tracks, float leg_length, const float* given_turn) {
+GroundMotion estimate(const Tracks& tracks, const Viewpoint& view, float leg_length, const float* given_turn) {
     GroundMotion motion;
+    motion.centre = view.centre;
     const float scale = leg_length > 0.05f ? leg_length / k_standard_leg : 1;
-    for (const Transform& hips : tracks.hips)
-        motion.centre += hips.translation / static_cast<float>(tracks.hips.size());
-    motion.centre.y = 0;
+    const int frames = tracks.frame_count();
     std::vector<float> weights;
     // Turn first: a rolling foot moves too slowly but in the right direction, so what it says of the turn counts, and
     // both ends of long stances hold the turn much better than flat feet alone. The two answers err independently.
-    std::vector<Sample> samples = standing_samples(tracks, motion.centre, scale, 1);
+    std::vector<Sample> samples = standing_samples(tracks, view, scale, 1);
     if (samples.empty()) return motion;
-    const float rolling_turn = solve(samples, tracks.frame_count(), scale, tracks.fps, nullptr, weights).turn;
-    const bool held = holds_hips_still(tracks, motion.centre, scale);
-    if (!held && flat_share(samples, tracks.frame_count()) > k_flat_runner)  // a sprinter never has a foot flat
-        samples = standing_samples(tracks, motion.centre, scale, k_rolling_share);
-    const float flat_turn = solve(samples, tracks.frame_count(), scale, tracks.fps, nullptr, weights).turn;
+    const float rolling_turn = solve(samples, frames, view, scale, tracks.fps, nullptr, weights).turn;
+    const bool held = holds_hips_still(tracks, view, scale);
+    if (!held && flat_share(samples, frames) > k_flat_runner)  // a sprinter never has a foot flat
+        samples = standing_samples(tracks, view, scale, k_rolling_share);
+    const float flat_turn = solve(samples, frames, view, scale, tracks.fps, nullptr, weights).turn;
     const float turn = given_turn ? *given_turn : k_rolling_turn * rolling_turn + (1 - k_rolling_turn) * flat_turn;
-    Solution solution = solve(samples, tracks.frame_count(), scale, tracks.fps, &turn, weights);
-    solution = averaged_over_time(samples, weights, solution, tracks.frame_count(), held ? k_sure_held : k_sure,
-                                  motion.coverage);
+    Solution solution = solve(samples, frames, view, scale, tracks.fps, &turn, weights);
+    solution = averaged_over_time(samples, weights, solution, frames, held ? k_sure_held : k_sure, motion.coverage);
     motion.velocity = {solution.vx, 0, solution.vz};
     motion.turn = solution.turn;
     double slip = 0, total = 0;
@@ -296,6 +305,25 @@ GroundMotion estimate_ground_motion(const Tracks& tracks, float leg_length, cons
     }
     motion.residual = total > 0 ? static_cast<float>(slip / total) : 0;
     return motion;
+}
+
+}  // namespace
+
+GroundMotion estimate_ground_motion(const Tracks& tracks, float leg_length, const float* given_turn) {
+    Viewpoint view;
+    for (const Transform& hips : tracks.hips) view.centre += hips.translation / static_cast<float>(tracks.hips.size());
+    view.centre.y = 0;
+    return estimate(tracks, view, leg_length, given_turn);
+}
+
+GroundMotion estimate_slip(const Tracks& tracks, std::span<const RootFrame> root, float leg_length,
+                           const float* given_turn) {
+    if (root.size() < 2 || root.size() != tracks.hips.size()) return {};
+    Viewpoint view;
+    view.root = root;
+    for (std::size_t f = 1; f < root.size(); ++f)
+        view.way += between(root[f - 1], root[f]).position * (tracks.fps / static_cast<float>(root.size() - 1));
+    return estimate(tracks, view, leg_length, given_turn);
 }
 
 std::vector<RootFrame> constant_path(const GroundMotion& motion, float fps, int frames) {

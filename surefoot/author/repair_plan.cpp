@@ -537,7 +537,7 @@ std::vector<RepairPlan> repair_plans(const Workbench& bench, const Finding& find
         plan_leaving_out(bench, finding, "its foot strikes were not found, so it cannot be kept in step", plans);
         return plans;
     }
-    if (finding.rule == "skating-clip") plan_planting(bench, finding, plans);
+    if (finding.rule == "skating-clip" || finding.rule == "root-disagrees") plan_planting(bench, finding, plans);
     const ProjectSpace* space = bench.project.find_space(finding.space);
     if (!space) return plans;
     const bool edge = finding.clips.size() == 2;
