@@ -126,7 +126,8 @@ const surefootBlend = (() => {
   const footSpeed = (clip) => length(stride(clip.velocity, clip.turn_rate));
   const phaseIn = (clip, state) => state.phase + (state.cycle % Math.max(clip.cycles, 1));
 
-  /// Velocity, turn and phase rate [cycles/s] of a blend; shares as weightsAt gives them.
+  /// Velocity, turn and phase rate [cycles/s] of a blend, and the phase that the rate is told for; shares as weightsAt
+  /// gives them.
   function motion(data, space, shares, state) {
     const velocity = [0, 0, 0], moved = [0, 0, 0], strides = [0, 0, 0];
     let turn = 0, sizes = 0, stepping = 0, mean = 0, slowest = Infinity, fastest = 0;
@@ -151,12 +152,13 @@ const surefootBlend = (() => {
       fastest = Math.max(fastest, ratio / seconds);
     }
     if (!space.axes.some(({ name }) => name === 'turn')) turn = 0; // the host turns such a character
-    if (!(stepping > 0)) return { velocity, turn, rate: 0 };
+    const from = { phase: state.phase, cycle: state.cycle };
+    if (!(stepping > 0)) return { velocity, turn, rate: 0, from };
     mean /= stepping;
     // Strides that cancel (forward against backward) say nothing about the rate: fade to the mean rate there.
     const told = sizes > 0 ? length(strides) / sizes : 0, t = clamp((told - 0.2) / 0.3, 0, 1), trust = t * t * (3 - 2 * t);
     const rate = trust > 0 ? mean + (clamp(length(moved) / length(strides), slowest, fastest) - mean) * trust : mean;
-    return { velocity, turn, rate };
+    return { velocity, turn, rate, from };
   }
 
   const start = () => ({ phase: 0, cycle: 0, clock: 0, x: 0, z: 0, yaw: 0 });

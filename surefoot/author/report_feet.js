@@ -99,7 +99,7 @@ const surefootFeet = (() => {
   function meanKey(leg, leaves, side, strike, share, phaseTime) {
     let stance = 0, duration = 0;
     for (const { step, say } of leaves)
-      if (step) stance += say * step.stance_s, duration += say * step.duration_s;
+      if (step) stance += say * step.duration_s * step.lift, duration += say * step.duration_s;
     const duty = duration > 0 ? clamp(stance / duration, 0.05, 0.95) : 0.5;
     const sum = { rotation: [0, 0, 0, 0], toes: [0, 0, 0, 0], age: 0 }, heel = new SoleMean(), ball = new SoleMean();
     for (const { clip, weight, say, time, step, at } of leaves) {
@@ -131,7 +131,7 @@ const surefootFeet = (() => {
       for (const leaf of told) leaf.say = says > 0 ? leaf.say / says : 0;
       const key = meanKey(leg, told, side, strike, after + before, blend.phaseTime);
       const seconds = told.reduce((sum, { clip, say, step }) =>
-        step ? sum + say * blend.phaseTime(clip, blend.phaseIn(clip, state)).slope : sum, 0);
+        step ? sum + say * blend.phaseTime(clip, blend.phaseIn(clip, moves.from)).slope : sum, 0);
       const pace = seconds * moves.rate > 0 ? clamp(seconds * moves.rate, 0.25, 4) : 1;
       const moved = blend.integrate(moves.velocity, moves.turn, key.age / pace), back = yawed(-moved.yaw);
       const foot = product(back, key.rotation), target = rotate(back, minus(key.translation, [moved.x, moved.y, moved.z]));

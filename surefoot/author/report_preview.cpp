@@ -180,9 +180,7 @@ Json to_json(const FootPrints& prints) {
     }
     Json steps = Json::array();
     for (const FootStep& step : prints.steps)
-        steps.push_back({{"lift", short_number(step.lift)},
-                         {"stance_s", short_number(step.stance)},
-                         {"duration_s", short_number(step.duration)}});
+        steps.push_back({{"lift", short_number(step.lift)}, {"duration_s", short_number(step.duration)}});
     return {{"keys", base64_of(keys)}, {"steps", std::move(steps)}};
 }
 
