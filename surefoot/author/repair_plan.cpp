@@ -427,8 +427,9 @@ double strangeness(const Workbench& bench, const ProjectSpace& space, const std:
     return count > 0 ? sum / count : 0;
 }
 
-/// One of two is left out: what lies off the axes, then a made clip before a recorded one, one from another skeleton
-/// before one that needed no retargeting, then the one whose poses are farther from the others'.
+/// One of two is left out: the one that crowds several others, then what lies off the axes, then a made clip before a
+/// recorded one, one from another skeleton before one that needed no retargeting, then the one whose poses are farther
+/// from the others'.
 void plan_keeping_one(const Workbench& bench, const ProjectSpace& space, const Finding& finding,
                       std::vector<RepairPlan>& plans) {
     if (finding.clips.size() != 2) return;
@@ -451,10 +452,19 @@ void plan_keeping_one(const Workbench& bench, const ProjectSpace& space, const F
                     least = std::min(least, std::fabs(percent.at(i, k)));
         return least;
     };
+    // Leaving out the one in the middle of a crowd spares the others.
+    const auto crowded = [&](const std::string& name) {
+        return std::count_if(bench.project.findings.begin(), bench.project.findings.end(), [&](const Finding& other) {
+            return other.rule == finding.rule && other.space == finding.space &&
+                   std::find(other.clips.begin(), other.clips.end(), name) != other.clips.end();
+        });
+    };
+    const auto more_crowded = crowded(keep) - crowded(drop);
     constexpr double k_matters = 1.5;  // [%]
     const double nearer = off_axis(keep) - off_axis(drop);
     const bool stranger = strangeness(bench, space, keep) > strangeness(bench, space, drop) + 1e-4;
-    if (std::fabs(nearer) > k_matters                  ? nearer > 0
+    if (std::abs(more_crowded) > 1                     ? more_crowded > 0
+        : std::fabs(nearer) > k_matters                ? nearer > 0
         : made(keep) != made(drop)                     ? made(keep)
         : was_retargeted(keep) != was_retargeted(drop) ? was_retargeted(keep)
                                                        : stranger)
