@@ -257,9 +257,31 @@ void add_misaligned(LintContext& context, const ProjectSpace& space, int sample,
     context.add(std::move(finding));
 }
 
+/// A clip that turns by itself where no axis tells turns apart.
+void add_unknown_turn(LintContext& context, const ProjectSpace& space, int sample) {
+    const float turn = context.clip(space, sample).facts.turn;
+    Finding finding;
+    finding.rule = "misaligned";
+    finding.space = space.name;
+    finding.clips = {context.name(space, sample)};
+    finding.at = context.place(space, sample);
+    finding.message = fmt::format(
+        "\"{}\" turns by {:.0f} deg/s to its {}, but its space has no axis for that: the character goes where it is "
+        "steered, and the feet twist on the ground by what the clip turns.",
+        finding.clips[0], std::fabs(turn), turn < 0 ? "right" : "left");
+    finding.fix = Fix{"straighten", "straighten it", space.name, finding.at, finding.clips};
+    context.add(std::move(finding));
+}
+
 }  // namespace
 
 void lint_misaligned(LintContext& context, const ProjectSpace& space) {
+    const auto& axes = space.space.axes;
+    if (std::none_of(axes.begin(), axes.end(), [](const Axis& axis) { return axis.name == "turn"; }))
+        for (int i = 0; i < space.space.original_count(); ++i)
+            if (std::fabs(static_cast<double>(context.clip(space, i).facts.turn)) >
+                context.threshold("misaligned", "turn"))
+                add_unknown_turn(context, space, i);
     if (space.space.dimensions() < 2) return;
     const PercentSpace percent(space);
     const double near = context.threshold("misaligned", "near"), far = context.threshold("misaligned", "far");

@@ -362,7 +362,8 @@ void plan_straightening(const Workbench& bench, const ProjectSpace& space, const
         if (axis == "forward" || axis == "speed") path["forward_mps"] = aligned;
         if (axis == "speed") path["lateral_mps"] = 0;
     }
-    if (path.empty()) return;
+    // Where the clip already stands as it should, it is the turn that no axis knows.
+    if (path.empty()) path["turn_deg_s"] = 0;
     Planner planner(bench);
     const std::string& from = finding.clips.front();
     const std::string made = planner.make("steer", {from}, path);

@@ -141,6 +141,19 @@ TEST(lint, a_clip_slightly_off_an_axis_is_misaligned) {
     }
 }
 
+TEST(lint, a_strafe_that_turns_by_itself_is_misaligned_where_no_axis_knows_turns) {
+    for (const auto& [turn, misaligned] : {std::pair{4.9f, false}, std::pair{-5.1f, true}}) {
+        std::vector<ProjectClip> clips{make_clip("idle", 0, 0), make_clip("walk", 1.4f, 0),
+                                       make_clip("strafe_left", 0, 0, 1), make_clip("strafe_right", 0, turn, -1)};
+        const auto found = of_rule(lint(make_project(clips, {"forward,lateral"}), {}), "misaligned");
+        ASSERT_EQ(found.size(), misaligned ? 1u : 0u) << turn;
+        if (misaligned) {
+            EXPECT_EQ(found[0].clips, std::vector<std::string>{"strafe_right"});
+            EXPECT_EQ(found[0].fix->target, found[0].at) << "it stays where it is";
+        }
+    }
+}
+
 TEST(lint, samples_nearer_than_eight_percent_are_too_close) {
     for (const auto& [turn, close] : {std::pair{76.0f, true}, std::pair{75.0f, false}}) {  // 8 % of 180 is 14.4
         const LintResult result = lint_clips(with(clean_clips(), make_clip("walk_left_2", 1.4f, turn)));
