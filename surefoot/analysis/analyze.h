@@ -35,4 +35,11 @@ AnalyzedClip analyze_clip(Motion motion, const std::string& file, float unit_sca
 /// none gives an empty list. Costs time linear in the frames.
 std::vector<AnalyzedClip> find_cycles(const AnalyzedClip& take);
 
+inline constexpr float k_most_stride_closing = 0.12f;  ///< [m]
+
+/// Every stride of a take (left foot strike to left foot strike, one right strike between) as a closed cycle, in order
+/// of time, steady or not: material for averages over many of them, not to be played. Those are left out that closing
+/// would move by more than `most_closing` [m]. A take that is a cycle already comes back as it is.
+std::vector<AnalyzedClip> find_strides(const AnalyzedClip& take, float most_closing = k_most_stride_closing);
+
 }  // namespace surefoot

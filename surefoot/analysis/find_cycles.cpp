@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace surefoot {
@@ -89,6 +90,22 @@ AnalyzedClip cut_cycle(const AnalyzedClip& take, const CycleCandidate& c) {
     return measured_cycle(take, std::move(part), closing, c.first, c.last);
 }
 
+/// From one left strike to the next, if exactly one right one lies between; `strike` of the result is its first frame.
+std::optional<CycleCandidate> stride_between(const AnalyzedClip& take, const PhaseEvent& from, const PhaseEvent& to) {
+    constexpr float k_shortest = 0.35f, k_longest = 2.4f;  // [s]
+    if (to.time - from.time < k_shortest || to.time - from.time > k_longest) return {};
+    const auto rights = std::count_if(take.facts.events.begin(), take.facts.events.end(), [&](const PhaseEvent& e) {
+        return e.kind == StrideEvent::strike && e.foot == Side::right && e.time > from.time && e.time < to.time;
+    });
+    if (rights != 1) return {};
+    CycleCandidate stride;
+    stride.first = stride.strike = static_cast<int>(from.time * take.motion.fps + 0.5f);
+    stride.last = std::min(static_cast<int>(to.time * take.motion.fps + 0.5f), take.motion.frame_count() - 1);
+    const RootFrame& first = take.motion.root[static_cast<std::size_t>(stride.first)];
+    stride.step = take.motion.root[static_cast<std::size_t>(stride.last)] * between(first, RootFrame{});
+    return stride;
+}
+
 /// "walk_1.40mps", "walk_1.40mps_2", …
 void make_names_unique(std::vector<AnalyzedClip>& cycles) {
     std::set<std::string> taken;
@@ -124,6 +141,22 @@ std::vector<AnalyzedClip> find_cycles(const AnalyzedClip& take) {
     }
     make_names_unique(cycles);
     return cycles;
+}
+
+std::vector<AnalyzedClip> find_strides(const AnalyzedClip& take, float most_closing) {
+    if (take.motion.cyclic) return {take};
+    std::vector<PhaseEvent> lefts;
+    for (const PhaseEvent& event : take.facts.events)
+        if (event.kind == StrideEvent::strike && event.foot == Side::left) lefts.push_back(event);
+    std::vector<AnalyzedClip> strides;
+    for (std::size_t i = 0; i + 1 < lefts.size(); ++i) {
+        const std::optional<CycleCandidate> stride = stride_between(take, lefts[i], lefts[i + 1]);
+        if (!stride) continue;
+        AnalyzedClip cycle = cut_cycle(take, *stride);
+        if (cycle.facts.locomotion && cycle.facts.closing <= most_closing) strides.push_back(std::move(cycle));
+    }
+    make_names_unique(strides);
+    return strides;
 }
 
 }  // namespace surefoot

@@ -26,6 +26,16 @@ struct FootStep {
     float duration = 1;   ///< [s] [Limit: > stance]
 };
 
+/// Age [s] of a foot `elapsed` seconds after the strike of `step`; `next` is the step after it. In the swing a cubic
+/// leads from the end of one stance to the beginning of the other, with slope 1 at both, so that age is smooth.
+constexpr float foot_age(const FootStep& step, const FootStep& next, float elapsed) noexcept {
+    if (elapsed <= step.stance) return elapsed - 0.5f * step.stance;
+    const float swing = step.duration - step.stance, share = (elapsed - step.stance) / swing;
+    const float t = share < 1.0f ? share : 1.0f, u = 1 - t;
+    return 0.5f * step.stance * (u * u * (1 + 2 * t)) + swing * (t * u * u) -
+           0.5f * next.stance * (t * t * (3 - 2 * t)) - swing * (t * t * u);
+}
+
 struct FootPrints {
     std::vector<FootKey> keys;    ///< one a frame; empty where the clip has none
     std::vector<FootStep> steps;  ///< one a cycle, the first from the strike of phase 0 (left) or 0.5 (right) on

@@ -184,4 +184,14 @@ std::string problem(const PackedClip& clip) {
     return {};
 }
 
+FootKey foot_key_at(const PackedClip& clip, const FootPrints& track, float time) noexcept {
+    const float frame = std::clamp(time * clip.fps, 0.0f, static_cast<float>(clip.frame_count - 1));
+    const int from = std::min(static_cast<int>(frame), clip.frame_count - 2);
+    const float t = frame - static_cast<float>(from);
+    const FootKey &a = track.keys[static_cast<std::size_t>(from)], &b = track.keys[static_cast<std::size_t>(from) + 1];
+    return {{nlerp(a.print.rotation, b.print.rotation, t), lerp(a.print.translation, b.print.translation, t)},
+            nlerp(a.toes, b.toes, t),
+            a.age + (b.age - a.age) * t};
+}
+
 }  // namespace surefoot

@@ -59,4 +59,7 @@ struct PhaseTime {
 };
 PhaseTime phase_time(const PackedClip& clip, float phase) noexcept;
 
+/// A foot of the clip between its keys; the clip has some. Outside [0, duration] the nearest end.
+FootKey foot_key_at(const PackedClip& clip, const FootPrints& track, float time) noexcept;
+
 }  // namespace surefoot

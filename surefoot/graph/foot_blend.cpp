@@ -71,27 +71,9 @@ float own_share(const FootStep& step, float share, float duty) noexcept {
     return share < duty ? share / duty * step.lift : step.lift + (share - duty) / (1 - duty) * (1 - step.lift);
 }
 
-FootKey key_at(const PackedClip& clip, const FootPrints& track, float time) noexcept {
-    const float frame = std::clamp(time * clip.fps, 0.0f, static_cast<float>(clip.frame_count - 1));
-    const int from = std::min(static_cast<int>(frame), clip.frame_count - 2);
-    const float t = frame - static_cast<float>(from);
-    const FootKey &a = track.keys[static_cast<std::size_t>(from)], &b = track.keys[static_cast<std::size_t>(from) + 1];
-    return {{nlerp(a.print.rotation, b.print.rotation, t), lerp(a.print.translation, b.print.translation, t)},
-            nlerp(a.toes, b.toes, t),
-            a.age + (b.age - a.age) * t};
-}
-
 void add(Quat& sum, Quat q, float weight) noexcept {
     q = aligned(q, sum);
     sum = {sum.x + weight * q.x, sum.y + weight * q.y, sum.z + weight * q.z, sum.w + weight * q.w};
-}
-
-/// Where the foot joint is when heel and ball are at these places, or as near as a rigid foot can be: the lower of the
-/// two is what stands on the ground.
-Vec3 stand_on(const LegPaths::Side& leg, Quat rotation, Vec3 heel, Vec3 ball) noexcept {
-    constexpr float k_level = 0.02f;  // [m] the two differ by less: it stands on both
-    const float t = std::clamp(0.5f + 0.5f * (heel.y - ball.y) / k_level, 0.0f, 1.0f);
-    return lerp(heel - rotate(rotation, leg.heel), ball - rotate(rotation, leg.ball), t * t * (3 - 2 * t));
 }
 
 /// The sole's two places as the leaves have them. Clips that stand (idles) keep a stepping foot where it is, but must
@@ -134,7 +116,7 @@ FootKey mean_key(const LegPaths::Side& leg, const FootLeaves& leaves, float stri
             const FootStep& step = leaf.track->steps[static_cast<std::size_t>(leaf.step)];
             time = time_at(*leaf.clip, strike + static_cast<float>(leaf.step) + own_share(step, share, duty));
         }
-        const FootKey key = key_at(*leaf.clip, *leaf.track, time);
+        const FootKey key = foot_key_at(*leaf.clip, *leaf.track, time);
         sole.add(transform_point(key.print, leg.heel), transform_point(key.print, leg.ball), leaf.weight,
                  leaf.clip->cycles > 0);
         add(mean.print.rotation, key.print.rotation, leaf.weight);
@@ -142,7 +124,7 @@ FootKey mean_key(const LegPaths::Side& leg, const FootLeaves& leaves, float stri
         mean.age += key.age * leaf.say;
     }
     mean.print.rotation = normalized(mean.print.rotation);
-    mean.print.translation = stand_on(leg, mean.print.rotation, sole.heel(), sole.ball());
+    mean.print = stand_on(leg, mean.print.rotation, sole.heel(), sole.ball());
     mean.toes = normalized(mean.toes);
     return mean;
 }
@@ -225,6 +207,23 @@ LegPaths make_leg_paths(const Skeleton& skeleton, const Legs& legs, std::span<co
     return paths;
 }
 
+Transform stand_on(const LegPaths::Side& leg, Quat rotation, Vec3 heel, Vec3 ball) noexcept {
+    constexpr float k_level = 0.02f;  // [m] the two differ by less: it stands on both
+    const float t = std::clamp(0.5f + 0.5f * (heel.y - ball.y) / k_level, 0.0f, 1.0f);
+    return {rotation, lerp(heel - rotate(rotation, leg.heel), ball - rotate(rotation, leg.ball), t * t * (3 - 2 * t))};
+}
+
+void reach_feet(const LegPaths& paths, const std::array<FootGoal, 2>& feet, std::span<Transform> locals) noexcept {
+    if (paths.count == 0) return;
+    LegModels models;
+    run_forward(paths, locals, models);
+    for (std::size_t side = 0; side < 2; ++side) {
+        solve_leg(paths, side, models, feet[side].foot, locals);
+        if (paths.side[side].toes != k_no_joint)
+            locals[static_cast<std::size_t>(paths.side[side].toes)].rotation = feet[side].toes;
+    }
+}
+
 void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, const LocomotionFrame& frame,
                 std::span<Transform> locals) noexcept {
     if (paths.count == 0 || (frame.leaf_count < 2 && !frame.styled)) return;
@@ -240,13 +239,7 @@ void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, const 
             integrate(frame.velocity, frame.turn * k_radians_per_degree, key.age / pace_of(leaves, frame));
         key.print = inverse(to_transform(moved)) * key.print;
     }
-    LegModels models;
-    run_forward(paths, locals, models);
-    for (std::size_t side = 0; side < 2; ++side) {
-        solve_leg(paths, side, models, feet[side].print, locals);
-        if (paths.side[side].toes != k_no_joint)
-            locals[static_cast<std::size_t>(paths.side[side].toes)].rotation = feet[side].toes;
-    }
+    reach_feet(paths, {FootGoal{feet[0].print, feet[0].toes}, FootGoal{feet[1].print, feet[1].toes}}, locals);
 }
 
 }  // namespace surefoot

@@ -37,6 +37,20 @@ struct LegPaths {
 /// k_most joints in them.
 LegPaths make_leg_paths(const Skeleton& skeleton, const Legs& legs, std::span<const Transform> standing);
 
+/// Where a foot shall be: its joint in model space, and the local rotation of its toes (unused without a toe joint).
+struct FootGoal {
+    Transform foot;
+    Quat toes;
+};
+
+/// The frame of a foot joint of that rotation whose heel and ball are at these places, or as near as a rigid foot can
+/// be: the lower of the two is what stands on the ground.
+Transform stand_on(const LegPaths::Side& leg, Quat rotation, Vec3 heel, Vec3 ball) noexcept;
+
+/// Solves both legs of a local pose for their feet; the rest of the pose stays. Nothing changes where `paths` is empty.
+/// What a leg cannot reach is pulled in softly (ik/two_bone.h).
+void reach_feet(const LegPaths& paths, const std::array<FootGoal, 2>& feet, std::span<Transform> locals) noexcept;
+
 /// Solves both legs of the blended pose `locals` (joint_count() transforms) for the blended feet of the frame's leaves.
 /// Nothing changes where one of the clips has no foot track, or a lone clip plays. Never allocates or fails.
 void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, const LocomotionFrame& frame,

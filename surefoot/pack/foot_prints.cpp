@@ -46,22 +46,13 @@ std::vector<FootStep> make_steps(const PackedClip& clip, const ClipFacts& facts,
     return steps;
 }
 
-/// Age at `elapsed` seconds after the strike of `step`; `next` is the step after it. In the swing a cubic leads from
-/// the end of one stance to the beginning of the other, with slope 1 at both, so that age is smooth.
-float age_at(const FootStep& step, const FootStep& next, float elapsed) {
-    if (elapsed <= step.stance) return elapsed - 0.5f * step.stance;
-    const float swing = step.duration - step.stance, t = std::min((elapsed - step.stance) / swing, 1.0f), u = 1 - t;
-    return 0.5f * step.stance * (u * u * (1 + 2 * t)) + swing * (t * u * u) -
-           0.5f * next.stance * (t * t * (3 - 2 * t)) - swing * (t * t * u);
-}
-
 float age_of_frame(const PackedClip& clip, const std::vector<FootStep>& steps, Side side, float time) {
     if (steps.empty()) return 0;
     const float after = phase_at(clip, time) - strike_phase(side), whole = std::floor(after);
     const std::size_t count = steps.size();
     const std::size_t at = (static_cast<std::size_t>(static_cast<int>(whole) + clip.cycles)) % count;
     const float strike = strike_phase(side) + whole;
-    return age_at(steps[at], steps[(at + 1) % count], time_of(clip, strike + after - whole) - time_of(clip, strike));
+    return foot_age(steps[at], steps[(at + 1) % count], time_of(clip, strike + after - whole) - time_of(clip, strike));
 }
 
 FootPrints make_track(const PackedClip& clip, const Skeleton& skeleton, const Leg& leg, Side side,

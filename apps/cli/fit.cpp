@@ -1,0 +1,198 @@
+// surefoot fit CLIPS -o GAIT.json: clips as a few harmonics. surefoot fit GAIT.json -o CLIP.glb: and back.
+
+#include "actor.h"
+#include "clip_files.h"
+#include "command.h"
+
+#include <surefoot/analysis/analyze.h>
+#include <surefoot/analysis/leg_track.h>
+#include <surefoot/author/gait_file.h>
+#include <surefoot/author/project.h>
+#include <surefoot/base/error.h>
+#include <surefoot/fit/fit_gait.h>
+#include <surefoot/host/files.h>
+#include <surefoot/host/parallel.h>
+#include <surefoot/io/load.h>
+#include <surefoot/motion/edit.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+namespace surefoot::cli {
+namespace {
+
+struct Options {
+    std::vector<std::string> in, roles;
+    std::string out;
+    int harmonics = 5, foot_harmonics = 10;
+    bool family = false;
+    std::vector<float> speeds, turns;
+    float fps = 60;
+};
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+bool is_gait_file(const std::string& path) { return std::filesystem::path(path).extension() == ".json"; }
+
+std::vector<LoadedClip> load(const Options& options) {
+    LoadResult loaded = load_clips(options.in);
+    for (const LoadFailure& failure : loaded.failed) fmt::print(stderr, "surefoot: {}\n", failure.error);
+    if (loaded.clips.empty()) throw Error("there are no clips to fit", "fit", "give .bvh, .glb, .gltf or .fbx files");
+    return std::move(loaded.clips);
+}
+
+/// What `find` finds in each clip, in order; clips that cannot be measured are told and left out.
+std::vector<AnalyzedClip> cycles_of(const Options& options,
+                                    const std::function<std::vector<AnalyzedClip>(const AnalyzedClip&)>& find) {
+    std::vector<LoadedClip> clips = load(options);
+    const RoleOverrides roles = parse_roles(options.roles, "--roles");
+    std::vector<std::vector<AnalyzedClip>> found(clips.size());
+    std::vector<std::string> failed(clips.size());
+    parallel_for(clips.size(), [&](std::size_t i) {
+        try {
+            found[i] = find(analyze_clip(std::move(clips[i].motion), clips[i].file, clips[i].unit_scale, roles));
+        } catch (const Error& error) {
+            failed[i] = error.what();
+        }
+    });
+    std::vector<AnalyzedClip> cycles;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (!failed[i].empty()) fmt::print(stderr, "surefoot: {}\n", failed[i]);
+        for (AnalyzedClip& clip : found[i])
+            if (clip.facts.cyclic && clip.facts.cadence > 0) cycles.push_back(std::move(clip));
+    }
+    if (cycles.empty())
+        throw Error("no cycle of steps was found", options.in.front(), "see what the clips hold: surefoot analyze");
+    return cycles;
+}
+
+/// Mean speed of planted sole points [cm/s] of a cycle played three times, taken in the middle one.
+double skate_of(const AnalyzedClip& clip) {
+    const Motion motion = concatenate(std::vector<Motion>(3, clip.motion));
+    const WalkTrack track = make_track(motion, clip.legs);
+    const auto frames = static_cast<std::size_t>(clip.motion.frame_count() - 1);
+    return measure_skate(track, track, {frames, 2 * frames}).mean_cm_s;
+}
+
+void print_errors(const AnalyzedClip& clip, const Options& options) {
+    fmt::print("{}: {:.2f} m/s, {:.1f} deg/s, {:.2f} s\n", clip.facts.name, clip.facts.speed, clip.facts.turn,
+               clip.facts.duration);
+    fmt::print("  harmonics   joints: moving     all           worst                   ankles: mean    most\n");
+    for (const FitError& error : errors_by_harmonics(clip))
+        fmt::print("  {:>9}     {:>6.2f} deg {:>6.2f} deg  {:>6.2f} deg {:<20} {:>4.2f} cm {:>4.2f} cm\n",
+                   error.harmonics, error.joint_deg, error.all_joints_deg, error.worst_joint_deg, error.worst_joint,
+                   error.ankle_cm, error.ankle_max_cm);
+    const HarmonicGait gait = fit_clip(clip, {options.harmonics, options.foot_harmonics});
+    const AnalyzedClip baked = bake_gait(gait, clip.facts.speed, clip.facts.turn, clip.motion.fps);
+    fmt::print("  planted feet slide at {:.2f} cm/s, the clip's at {:.2f}\n", skate_of(baked), skate_of(clip));
+}
+
+int fit_one(const std::vector<AnalyzedClip>& cycles, const Options& options) {
+    const auto best = std::min_element(cycles.begin(), cycles.end(), [](const auto& a, const auto& b) {
+        return a.facts.seam + 0.02f * a.facts.seam_speed < b.facts.seam + 0.02f * b.facts.seam_speed;
+    });
+    for (const AnalyzedClip& clip : cycles) print_errors(clip, options);
+    if (options.out.empty()) return 0;
+    write_file(options.out, gait_to_json(fit_clip(*best, {options.harmonics, options.foot_harmonics})));
+    if (cycles.size() > 1)
+        fmt::print(stderr, "{} cycles were found; written is {}, which loops best (--family fits all)\n", cycles.size(),
+                   best->facts.name);
+    return 0;
+}
+
+int fit_all(const std::vector<AnalyzedClip>& strides, const Options& options) {
+    FamilyOptions family;
+    family.fit = {options.harmonics, options.foot_harmonics};
+    FamilyReport report;
+    const HarmonicGait gait = fit_family(strides, family, &report);
+    fmt::print("{:<24} {:>5} {:>6} {:>8} {:>8} {:>8}\n", "stride", "", "m/s", "deg/s", "joints", "ankles");
+    for (const StrideError& s : report.strides)
+        fmt::print("{:<24} {:>5} {:>6.2f} {:>8.1f} {:>4.1f} deg {:>5.1f} cm\n", s.name,
+                   s.mode == GaitMode::walk ? "walk" : "run", s.speed, s.turn_deg, s.error.joint_deg, s.error.ankle_cm);
+    for (const std::string& line : report.left_out) fmt::print("left out: {}\n", line);
+    const GaitBasis& basis = gait.basis;
+    fmt::print("{} strides and their mirror images\n", report.strides.size());
+    for (int m = 0; m < basis.modes; ++m)
+        fmt::print("{} at {:.2f} to {:.2f} m/s, turns up to {:.0f} deg/s; beyond, the body does as at the end\n",
+                   m == 0 ? "walking" : "running", basis.fitted_speeds[at(m)][0], basis.fitted_speeds[at(m)][1],
+                   basis.fitted_turn[at(m)]);
+    if (!options.out.empty()) write_file(options.out, gait_to_json(gait));
+    return 0;
+}
+
+LoadedClip as_clip(AnalyzedClip baked) {
+    ProjectClip notes;
+    notes.facts = baked.facts;
+    notes.source = baked.source;
+    notes.provenance = {fmt::format("the fitted gait \"{}\" at {:.2f} m/s and {:.1f} deg/s", baked.source,
+                                    baked.facts.speed, baked.facts.turn)};
+    LoadedClip clip;
+    clip.file = baked.facts.name;
+    clip.extras = clip_extras_json(notes);
+    clip.motion = std::move(baked.motion);
+    return clip;
+}
+
+int bake(const Options& options) {
+    if (options.in.size() != 1) throw Error("one gait at a time", "fit", "name one .json file");
+    if (options.out.empty()) throw Error("there is no file to write", "fit", "name one: -o walk.glb");
+    check_clip_output(options.out);
+    const HarmonicGait gait = gait_from_json(read_file(options.in.front()), options.in.front());
+    std::vector<LoadedClip> clips;
+    const std::vector<float> none{0.0f};
+    if (gait.family() && options.speeds.empty())
+        throw Error("a family has no speed of its own", options.in.front(), "ask for one or more: --speed 1.4");
+    for (const float speed : gait.family() ? options.speeds : none)
+        for (const float turn : gait.family() && !options.turns.empty() ? options.turns : none) {
+            AnalyzedClip baked = bake_gait(gait, speed, turn, options.fps);
+            const double skate = skate_of(baked);
+            fmt::print("{}: {:.3f} m/s, {:.1f} deg/s, {}\n", baked.facts.name, baked.facts.speed, baked.facts.turn,
+                       std::isnan(skate) ? "no foot stands long enough to be measured"
+                                         : fmt::format("planted feet slide at {:.1f} cm/s", skate));
+            clips.push_back(as_clip(std::move(baked)));
+        }
+    write_clip_file(clips, options.out);
+    return 0;
+}
+
+int run(const Options& options) {
+    if (is_gait_file(options.in.front())) return bake(options);
+    if (options.family)
+        return fit_all(cycles_of(options, [](const AnalyzedClip& take) { return find_strides(take); }), options);
+    return fit_one(cycles_of(options, find_cycles), options);
+}
+
+}  // namespace
+
+extern const Command k_fit;
+const Command k_fit{
+    "fit", "clips as a few sines and cosines of the phase, and clips of such gaits",
+    [](CLI::App& app) -> std::function<int()> {
+        auto options = std::make_shared<Options>();
+        const CLI::Range harmonics(1, k_most_harmonics);
+        app.add_option("IN", options->in,
+                       "clips to fit (files or folders), or one fitted gait (.json) to make clips of")
+            ->required();
+        app.add_option("-o,--output", options->out, "file to write: the gait as .json, or of a gait its clips as .glb");
+        app.add_flag("--family", options->family,
+                     "one gait for all speeds and turns, from all cycles of one character");
+        app.add_option("--harmonics", options->harmonics, "of each joint (default 5)")->check(harmonics);
+        app.add_option("--foot-harmonics", options->foot_harmonics, "of the feet on the ground (default 10)")
+            ->check(harmonics);
+        app.add_option("--speed", options->speeds, "of a family's clips, m/s (several: 1,1.5,2)")
+            ->delimiter(',')
+            ->check(is_number);
+        app.add_option("--turn", options->turns, "of a family's clips, deg/s, + to the left (several: 0,45,90)")
+            ->delimiter(',')
+            ->check(is_number);
+        app.add_option("--fps", options->fps, "frames a second of clips (default 60)")->check(is_number);
+        app.add_option("--roles", options->roles, "joints by hand, as left_foot=Foot_L (repeatable)")
+            ->allow_extra_args(false);
+        return [options] { return run(*options); };
+    }};
+
+}  // namespace surefoot::cli

@@ -1,0 +1,236 @@
+#include <surefoot/clip/foot_prints.h>
+#include <surefoot/graph/locomotion.h>
+#include <surefoot/harmonic/harmonic_gait.h>
+#include <surefoot/ik/two_bone.h>
+#include <surefoot/math/trig.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+namespace {
+
+std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
+
+/// cos and sin of the multiples of a phase.
+struct Waves {
+    std::array<float, 1 + 2 * k_most_harmonics> wave;
+
+    Waves(float phase, int harmonics) noexcept {
+        const SinCos first = sin_cos(2 * k_pi * static_cast<double>(phase));
+        double c = 1, s = 0;
+        wave[0] = 1;
+        for (int k = 1; k <= harmonics; ++k) {
+            const double next = c * first.cos - s * first.sin;
+            s = s * first.cos + c * first.sin;
+            c = next;
+            wave[at(2 * k - 1)] = static_cast<float>(c);
+            wave[at(2 * k)] = static_cast<float>(s);
+        }
+    }
+};
+
+/// Reads series one after the other.
+class SeriesReader {
+  public:
+    SeriesReader(const float* values, const Waves& waves, int harmonics) noexcept
+        : values_(values), waves_(&waves), length_(1 + 2 * harmonics) {}
+
+    float next() noexcept {
+        float sum = 0;
+        for (int i = 0; i < length_; ++i) sum += values_[i] * waves_->wave[at(i)];
+        values_ += length_;
+        return sum;
+    }
+    Vec3 next_vector() noexcept {
+        const float x = next(), y = next();
+        return {x, y, next()};
+    }
+    const float* rest() const noexcept { return values_; }
+
+  private:
+    const float* values_;
+    const Waves* waves_;
+    int length_;
+};
+
+FootStep step_of(const GaitRhythm& rhythm, std::size_t side) noexcept {
+    const float strike = side == 0 ? 0.0f : 0.5f, lift = rhythm.lift[side], seconds = 1 / rhythm.frequency;
+    const float stance = time_share(rhythm, strike + lift) - time_share(rhythm, strike);
+    return {lift, stance * seconds, seconds};
+}
+
+/// The foot seen from the root, from its series at its own phase.
+FootGoal foot_goal(const HarmonicGait& gait, const GaitRhythm& rhythm, std::size_t side, float phase,
+                   const float* values) noexcept {
+    const float strike = side == 0 ? 0.0f : 0.5f, share = phase - strike - std::floor(phase - strike);
+    const Waves waves(foot_series_phase(share, rhythm.lift[side], gait.foot_lift), gait.foot_harmonics);
+    SeriesReader read(values, waves, gait.foot_harmonics);
+    const Quat rotation = gait.foot_mean[side] * from_rotation_vector(read.next_vector());
+    const Vec3 heel = read.next_vector(), ball = read.next_vector();
+    const FootStep step = step_of(rhythm, side);
+    const float elapsed = (time_share(rhythm, strike + share) - time_share(rhythm, strike)) / rhythm.frequency;
+    const RootFrame moved = integrate(rhythm.velocity, rhythm.turn_rate, foot_age(step, step, elapsed));
+    const Transform print = stand_on(gait.legs.side[side], rotation, heel, ball);
+    return {inverse(to_transform(moved)) * print,
+            normalized(gait.toes_mean[side] * from_rotation_vector(read.next_vector()))};
+}
+
+Transform model_of(const Skeleton& skeleton, std::span<const Transform> locals, int joint) noexcept {
+    Transform model;
+    for (; joint != k_no_joint; joint = skeleton.parents[at(joint)]) model = locals[at(joint)] * model;
+    return model;
+}
+
+/// How far a hip has to sink [m] so that its leg, on the way to straight, slows down softly: near straight, a
+/// centimetre of reach is worth 20 degrees of knee, and means over many strides are that far off.
+float hip_drop(Vec3 hip, Vec3 ankle, float leg) noexcept {
+    constexpr float k_free = 0.97f;  // share of the leg's length: a knee bent by 28 degrees
+    const float reach = distance(hip, ankle), limited = soft_limit(reach, leg, k_free, 0);
+    if (limited >= reach) return 0;
+    const float aside = planar_length(hip - ankle), height = hip.y - ankle.y;
+    return std::max(0.0f, height - std::sqrt(std::max(0.0f, limited * limited - aside * aside)));
+}
+
+/// Lowers the hips as far as both legs need.
+void lower_hips(const HarmonicGait& gait, const std::array<FootGoal, 2>& feet, std::span<Transform> locals) noexcept {
+    const Skeleton& skeleton = *gait.skeleton;
+    float drop = 0;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Leg& leg = gait.soles.side[side];
+        drop += hip_drop(model_of(skeleton, locals, leg.upper).translation, feet[side].foot.translation, leg.length());
+    }
+    const int hips = gait.soles.hips;
+    const Transform parent = model_of(skeleton, locals, skeleton.parents[at(hips)]);
+    locals[at(hips)].translation += rotate(conjugate(parent.rotation), {0, -drop, 0});
+}
+
+}  // namespace
+
+int value_count(const HarmonicGait& gait) noexcept {
+    const int series = 3 * static_cast<int>(gait.mean.size() + gait.moving.size());
+    return series * (1 + 2 * gait.harmonics) + 2 * k_foot_series * (1 + 2 * gait.foot_harmonics) + k_rhythm_values;
+}
+
+std::string problem(const HarmonicGait& gait) {
+    if (!gait.skeleton) return "the gait has no skeleton";
+    if (const std::string text = problem(*gait.skeleton); !text.empty()) return text;
+    const auto in = [](int value, int least, int most) { return value >= least && value <= most; };
+    if (!in(gait.harmonics, 1, k_most_harmonics) || !in(gait.foot_harmonics, 1, k_most_harmonics))
+        return "the number of harmonics is not between 1 and " + std::to_string(k_most_harmonics);
+    const GaitBasis& basis = gait.basis;
+    if (!in(basis.modes, 1, 2) || !in(basis.degree, 0, 3)) return "the modes or the degree of the basis are not usable";
+    if (!(basis.most_speed > basis.least_speed) || !(basis.most_turn > 0))
+        return "the range of speeds or turns is empty";
+    if (!(basis.run_from > basis.walk_until) || !(basis.speed_unit[0] > 0) || !(basis.speed_unit[1] > 0))
+        return "the speeds of walking and running are not usable";
+    for (std::size_t m = 0; m < 2; ++m)
+        if (!(basis.fitted_speeds[m][1] >= basis.fitted_speeds[m][0]) || !(basis.fitted_turn[m] >= 0))
+            return "the speeds or turns of the fitted strides are not usable";
+    if (!(gait.foot_lift > 0.05f && gait.foot_lift < 0.95f))
+        return "the stance of the feet's series is not 0.05 to 0.95";
+    const int joints = gait.skeleton->joint_count();
+    if (static_cast<int>(gait.mean.size()) != joints) return "there is not one mean rotation a joint";
+    int before = -1;
+    for (const std::int16_t joint : gait.moving) {
+        if (joint <= before || joint >= joints) return "the moving joints do not ascend or do not exist";
+        before = joint;
+    }
+    if (gait.coefficients.size() != at(basis.terms()) * at(value_count(gait)))
+        return "the number of coefficients does not fit the joints and harmonics";
+    constexpr float k_most = 1e4f;  // radians, metres, cycles a second: far beyond any gait, and safe to square
+    for (const float value : gait.coefficients)
+        if (!(std::fabs(value) < k_most)) return "a coefficient is no usable number";
+    const auto is_unit = [](Quat q) { return std::fabs(dot(q, q) - 1) < 1e-3f; };
+    for (const Quat q : gait.mean)
+        if (!is_unit(q)) return "a mean rotation is no unit quaternion";
+    for (std::size_t side = 0; side < 2; ++side)
+        if (!is_unit(gait.foot_mean[side]) || !is_unit(gait.toes_mean[side]))
+            return "a foot's mean rotation is no unit quaternion";
+    return {};
+}
+
+void powers_at(const GaitBasis& basis, GaitMode mode, float speed, float turn_deg, std::span<float> powers) noexcept {
+    const auto m = static_cast<std::size_t>(mode);
+    const float fitted = std::clamp(speed, basis.fitted_speeds[m][0], basis.fitted_speeds[m][1]);
+    const float v = (fitted - basis.middle_speed[m]) / basis.speed_unit[m];
+    const float w = std::clamp(turn_deg, -basis.fitted_turn[m], basis.fitted_turn[m]) / basis.most_turn;
+    std::size_t i = 0;
+    for (int degree = 0; degree <= basis.degree; ++degree)
+        for (int of_turn = 0; of_turn <= degree; ++of_turn) {
+            float power = 1;
+            for (int k = 0; k < degree; ++k) power *= k < of_turn ? w : v;
+            powers[i++] = power;
+        }
+}
+
+float share_of_running(const GaitBasis& basis, float speed) noexcept {
+    if (basis.modes < 2) return 0;
+    const float t = std::clamp((speed - basis.walk_until) / (basis.run_from - basis.walk_until), 0.0f, 1.0f);
+    return t * t * (3 - 2 * t);
+}
+
+void values_at(const HarmonicGait& gait, float speed, float turn_deg, std::span<float> values) noexcept {
+    std::array<float, k_most_basis_terms> powers;
+    const int count = gait.basis.terms_of_mode();
+    const float running = share_of_running(gait.basis, speed);
+    std::fill(values.begin(), values.end(), 0.0f);
+    for (int m = 0; m < gait.basis.modes; ++m) {
+        const float share = m == 0 ? 1 - running : running;
+        if (share == 0) continue;
+        powers_at(gait.basis, static_cast<GaitMode>(m), speed, turn_deg, powers);
+        for (int t = 0; t < count; ++t) {
+            const float weight = share * powers[at(t)];
+            const float* from = gait.coefficients.data() + at(m * count + t) * values.size();
+            for (std::size_t i = 0; i < values.size(); ++i) values[i] += weight * from[i];
+        }
+    }
+    float* rhythm = values.data() + values.size() - k_rhythm_values;
+    if (gait.family()) {
+        rhythm[0] = rhythm[1] = 0;
+        rhythm[2] = speed;
+        rhythm[3] = turn_deg * k_radians_per_degree;
+    }
+    rhythm[4] = std::clamp(rhythm[4], 0.2f, 4.0f);
+    rhythm[5] = std::clamp(rhythm[5], 0.2f, 0.8f);
+    for (int side = 0; side < 2; ++side) rhythm[6 + side] = std::clamp(rhythm[6 + side], 0.15f, 0.85f);
+}
+
+GaitRhythm rhythm_of(const HarmonicGait&, std::span<const float> values) noexcept {
+    const float* r = values.data() + values.size() - k_rhythm_values;
+    return {{r[0], r[1], r[2]}, r[3], r[4], r[5], {r[6], r[7]}};
+}
+
+float time_share(const GaitRhythm& rhythm, float phase) noexcept {
+    const float whole = std::floor(phase), in = phase - whole, strike = rhythm.right_strike;
+    return whole + (in < 0.5f ? 2 * in * strike : strike + (2 * in - 1) * (1 - strike));
+}
+
+float phase_of(const GaitRhythm& rhythm, float share) noexcept {
+    const float whole = std::floor(share), in = share - whole, strike = rhythm.right_strike;
+    return whole + (in < strike ? 0.5f * in / strike : 0.5f + 0.5f * (in - strike) / (1 - strike));
+}
+
+float foot_series_phase(float share, float lift, float series_lift) noexcept {
+    return share < lift ? share / lift * series_lift : series_lift + (share - lift) / (1 - lift) * (1 - series_lift);
+}
+
+void pose(const HarmonicGait& gait, std::span<const float> values, float phase, std::span<Transform> locals,
+          const HarmonicPoseOptions& options) noexcept {
+    const Waves waves(phase - std::floor(phase), gait.harmonics);
+    SeriesReader read(values.data(), waves, gait.harmonics);
+    for (std::size_t j = 0; j < gait.mean.size(); ++j)
+        locals[j] = {normalized(gait.mean[j] * from_rotation_vector(read.next_vector())),
+                     gait.skeleton->rest[j].translation};
+    for (const std::int16_t joint : gait.moving) locals[at(joint)].translation = read.next_vector();
+    if (!options.feet || gait.legs.count == 0) return;
+    const GaitRhythm rhythm = rhythm_of(gait, values);
+    const float* feet = read.rest();
+    const int foot_values = k_foot_series * (1 + 2 * gait.foot_harmonics);
+    const std::array<FootGoal, 2> goals{foot_goal(gait, rhythm, 0, phase, feet),
+                                        foot_goal(gait, rhythm, 1, phase, feet + foot_values)};
+    if (gait.family()) lower_hips(gait, goals, locals);
+    reach_feet(gait.legs, goals, locals);
+}
+
+}  // namespace surefoot

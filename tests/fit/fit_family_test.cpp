@@ -1,0 +1,122 @@
+#include <surefoot/base/error.h>
+#include <surefoot/fit/fit_gait.h>
+#include <surefoot/io/load.h>
+#include <surefoot/motion/edit.h>
+#include <surefoot/preset/default_set.h>
+#include <tests/support/motion_data.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+std::vector<AnalyzedClip> strides_of_takes(const std::filesystem::path& folder) {
+    LoadResult loaded = load_clips({{(folder / "o3de_mocap_bvh").string()}});
+    std::vector<AnalyzedClip> strides;
+    for (LoadedClip& clip : loaded.clips)
+        for (AnalyzedClip& stride : find_strides(analyze_clip(std::move(clip.motion), clip.file)))
+            strides.push_back(std::move(stride));
+    return strides;
+}
+
+/// Largest change of a local rotation [deg] from one speed to the next, over all phases.
+float largest_change(const HarmonicGait& gait, float step, float turn) {
+    constexpr int k_phases = 12;
+    const std::size_t joints = gait.mean.size();
+    std::vector<float> values(static_cast<std::size_t>(value_count(gait)));
+    std::vector<std::vector<Transform>> before(k_phases), now(k_phases, std::vector<Transform>(joints));
+    float most = 0;
+    for (float speed = gait.basis.least_speed; speed <= gait.basis.most_speed; speed += step, before = now) {
+        values_at(gait, speed, turn, values);
+        for (int i = 0; i < k_phases; ++i) {
+            std::vector<Transform>& pose_now = now[static_cast<std::size_t>(i)];
+            pose(gait, values, static_cast<float>(i) / k_phases, pose_now);
+            const std::vector<Transform>& pose_before = before[static_cast<std::size_t>(i)];
+            for (std::size_t j = 0; j < pose_before.size(); ++j)
+                most = std::max(most, k_degrees_per_radian *
+                                          rotation_angle(conjugate(pose_before[j].rotation) * pose_now[j].rotation));
+        }
+    }
+    return most;
+}
+
+class FitFamily : public ::testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        if (const std::filesystem::path folder = test::motion_data(); !folder.empty())
+            gait_ = new HarmonicGait(fit_family(strides_of_takes(folder), {}, &report_));
+    }
+    static void TearDownTestSuite() {
+        delete gait_;
+        gait_ = nullptr;
+    }
+    static HarmonicGait* gait_;
+    static FamilyReport report_;
+};
+HarmonicGait* FitFamily::gait_ = nullptr;
+FamilyReport FitFamily::report_;
+
+TEST_F(FitFamily, walks_and_runs_of_an_actor_become_one_gait) {
+    SUREFOOT_NEED_MOTION_DATA(folder);
+    EXPECT_EQ(problem(*gait_), "");
+    EXPECT_EQ(gait_->basis.modes, 2);
+    EXPECT_GT(report_.strides.size(), 150u);
+    double joints = 0;
+    for (const StrideError& stride : report_.strides) joints += static_cast<double>(stride.error.joint_deg);
+    EXPECT_LT(joints / static_cast<double>(report_.strides.size()), 7);
+}
+
+TEST_F(FitFamily, root_and_feet_have_the_speed_asked_for_at_twenty_speeds) {
+    SUREFOOT_NEED_MOTION_DATA(folder);
+    for (int i = 0; i < 20; ++i) {
+        const float speed = 0.3f + 4.7f * static_cast<float>(i) / 19;
+        const AnalyzedClip clip = analyze_clip(bake_gait(*gait_, speed, 0).motion, "family");
+        EXPECT_NEAR(clip.facts.speed, speed, 0.02f * speed);
+        EXPECT_LT(clip.facts.root_disagreement_speed, 0.02f * speed) << speed << " m/s";
+    }
+}
+
+TEST_F(FitFamily, poses_change_smoothly_with_the_speed) {
+    SUREFOOT_NEED_MOTION_DATA(folder);
+    for (const float turn : {0.0f, 60.0f, -120.0f}) {
+        const float whole = largest_change(*gait_, 0.05f, turn), half = largest_change(*gait_, 0.025f, turn);
+        EXPECT_LT(whole, 6) << turn;
+        EXPECT_LT(half, 0.6f * whole) << turn;
+    }
+}
+
+TEST_F(FitFamily, turning_right_is_the_mirror_image_of_turning_left) {
+    SUREFOOT_NEED_MOTION_DATA(folder);
+    std::vector<float> left(static_cast<std::size_t>(value_count(*gait_))), right = left;
+    values_at(*gait_, 1.2f, 60, left);
+    values_at(*gait_, 1.2f, -60, right);
+    const GaitRhythm l = rhythm_of(*gait_, left), r = rhythm_of(*gait_, right);
+    EXPECT_NEAR(l.frequency, r.frequency, 1e-3f);
+    EXPECT_NEAR(l.lift[0], r.lift[1], 1e-2f);
+    EXPECT_NEAR(l.right_strike, 1 - r.right_strike, 1e-2f);
+    const AnalyzedClip a = bake_gait(*gait_, 1.2f, 60), b = bake_gait(*gait_, 1.2f, -60);
+    const Motion mirrored = rotate_cycle(mirror(b.motion, b.roles.roles), b.motion.frame_count() / 2);
+    std::vector<Transform> pose_a(gait_->mean.size()), pose_b = pose_a;
+    local_to_model(*gait_->skeleton, a.motion.frame(0), pose_a);
+    local_to_model(*gait_->skeleton, mirrored.frame(0), pose_b);
+    for (std::size_t j = 0; j < pose_a.size(); ++j)
+        EXPECT_LT(distance(pose_a[j].translation, pose_b[j].translation), 0.04f) << gait_->skeleton->names[j];
+}
+
+TEST_F(FitFamily, what_lies_beyond_its_range_is_refused) {
+    SUREFOOT_NEED_MOTION_DATA(folder);
+    EXPECT_THROW(bake_gait(*gait_, 6, 0), Error);
+    EXPECT_THROW(bake_gait(*gait_, 1, 150), Error);
+    EXPECT_THROW(bake_gait(*gait_, 1, 0, 1000), Error);
+}
+
+TEST(FitFamilyOfFew, too_few_strides_are_refused) {
+    std::vector<AnalyzedClip> clips;
+    for (const Motion& motion : make_default_set().clips) clips.push_back(analyze_clip(motion, motion.name));
+    EXPECT_THROW(fit_family(clips), Error);
+}
+
+}  // namespace
+}  // namespace surefoot
