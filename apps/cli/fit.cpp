@@ -108,7 +108,8 @@ int fit_all(const std::vector<AnalyzedClip>& strides, const Options& options) {
     FamilyOptions family;
     family.fit = {options.harmonics, options.foot_harmonics};
     FamilyReport report;
-    const HarmonicGait gait = fit_family(strides, family, &report);
+    HarmonicGait gait = fit_family(strides, family, &report);
+    if (!options.out.empty()) gait.name = std::filesystem::path(options.out).stem().string();
     fmt::print("{:<24} {:>5} {:>6} {:>8} {:>8} {:>8}\n", "stride", "", "m/s", "deg/s", "joints", "ankles");
     for (const StrideError& s : report.strides)
         fmt::print("{:<24} {:>5} {:>6.2f} {:>8.1f} {:>4.1f} deg {:>5.1f} cm\n", s.name,
@@ -144,6 +145,9 @@ int bake(const Options& options) {
     const HarmonicGait gait = gait_from_json(read_file(options.in.front()), options.in.front());
     std::vector<LoadedClip> clips;
     const std::vector<float> none{0.0f};
+    if (!gait.family() && !(options.speeds.empty() && options.turns.empty()))
+        throw Error("it is the gait of one clip and has a speed and turn of its own", options.in.front(),
+                    "leave --speed and --turn out, or fit a family: --family");
     if (gait.family() && options.speeds.empty())
         throw Error("a family has no speed of its own", options.in.front(), "ask for one or more: --speed 1.4");
     for (const float speed : gait.family() ? options.speeds : none)
@@ -161,6 +165,11 @@ int bake(const Options& options) {
 
 int run(const Options& options) {
     if (is_gait_file(options.in.front())) return bake(options);
+    if (!options.speeds.empty() || !options.turns.empty())
+        throw Error("clips have speeds and turns of their own", options.in.front(),
+                    "fit a family first (--family -o gait.json), then ask it: surefoot fit gait.json --speed 1.4");
+    if (!options.out.empty() && !is_gait_file(options.out))
+        throw Error("a gait is written as .json", options.out, "name it so: -o gait.json");
     if (options.family)
         return fit_all(cycles_of(options, [](const AnalyzedClip& take) { return find_strides(take); }), options);
     return fit_one(cycles_of(options, find_cycles), options);

@@ -6,6 +6,8 @@
 #include <surefoot/preset/default_set.h>
 #include <surefoot/preset/gait_cycle.h>
 
+#include <algorithm>
+
 #include "tests/analysis/support.h"
 
 namespace surefoot {
@@ -273,6 +275,34 @@ TEST(find_cycles, cuts_one_stride_out_of_many) {
         EXPECT_LE(cycle.source_last, take.frame_count() - 1);
         EXPECT_LT(cycle.source_first, cycle.source_last);
     }
+}
+
+TEST(find_strides, cuts_every_stride_even_where_the_pace_changes) {
+    const Motion& walk = default_set().clips[1];
+    const Motion faster = resample(retime(walk, 1.2f), walk.fps);
+    Motion second = faster;
+    second.fps = walk.fps;
+    const std::vector<Motion> parts{walk, walk, walk, second, second, second};
+    Motion take = concatenate(parts);
+    bake_root_motion(take);
+    take = cut(take, 17, take.frame_count() - 12);
+    const std::vector<AnalyzedClip> strides = find_strides(facts_of(take));
+    ASSERT_GE(strides.size(), 4u);
+    ASSERT_LE(strides.size(), 5u);
+    int before = -1;
+    for (const AnalyzedClip& stride : strides) {
+        EXPECT_TRUE(stride.motion.cyclic);
+        EXPECT_GT(stride.facts.speed, 1.3f);
+        EXPECT_LT(stride.facts.speed, 1.8f);
+        EXPECT_LT(stride.facts.loop_error, 1e-5f);
+        EXPECT_GT(stride.source_first, before);
+        EXPECT_EQ(std::count_if(stride.facts.events.begin(), stride.facts.events.end(),
+                                [](const PhaseEvent& e) { return e.kind == StrideEvent::strike; }),
+                  2);
+        before = stride.source_first;
+    }
+    EXPECT_LT(strides.front().facts.speed, strides.back().facts.speed - 0.15f);
+    EXPECT_TRUE(find_strides(facts_of(take), 0).size() < strides.size());  // no stride closes without a trace
 }
 
 }  // namespace

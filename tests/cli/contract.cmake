@@ -58,6 +58,17 @@ expect(2 "there is no role 'foot'" retarget project/clips/walk_left.glb retarget
 expect(2 "is not one to write" retarget project/clips/walk_left.glb retargeted.fbx --to default)
 expect(0 "" retarget project/clips/walk_left.glb retargeted.glb --to project/clips/walk.glb)
 
+# Gaits learnt from clips, and clips of them again.
+expect(0 "harmonics" fit project/clips/walk.glb -o gait.json)
+expect(0 "planted feet slide" fit gait.json -o fitted.glb)
+expect(0 "1.40" analyze fitted.glb)
+expect(2 "has a speed and turn of its own" fit gait.json --speed 1 -o fitted.glb)
+expect(2 "no cycle of steps" fit project/clips/idle.glb)
+expect(2 "a gait is written as .json" fit project/clips/walk.glb -o walk.glb)
+expect(2 "it is no fitted gait" fit project/project.json -o fitted.glb)
+expect(2 "strides that walk" fit project/clips --family)
+expect(2 "'nan' is not a number" fit gait.json --fps nan -o fitted.glb)
+
 # Edits of path, time and glitches.
 expect(2 "stay between 0.8 and 1.25" retime project/clips/walk.glb retimed.glb --rate 2)
 expect(0 "" retime project/clips/walk.glb retimed.glb --rate 1.1)
