@@ -16,4 +16,11 @@ node scripts/view_glb.mjs "$clips"/{walk,run,strafe_left}.glb docs/images/defaul
   --views three --columns 8 --size 150 --span 1.95
 node scripts/view_glb.mjs "$clips"/{idle,walk,jog,run,back,strafe_left,turn_left}.glb docs/images/contact_sheet.jpg \
   --views side,front --columns 8 --size 130 --span 1.95
+# The fitted family: 0.5 to 4 m/s straight ahead, and a tight left turn.
+for speed in 0.5 1 1.4 2 3 4; do
+  "$program" fit gaits/fitted/human.json --speed "$speed" -o "$work/$speed.glb" >/dev/null
+done
+"$program" fit gaits/fitted/human.json --speed 1.2 --turn 80 -o "$work/turn.glb" >/dev/null
+node scripts/view_glb.mjs "$work"/{0.5,1,1.4,2,3,4,turn}.glb docs/images/fitted_gaits.jpg \
+  --views side,front --columns 8 --size 130 --span 1.95
 ls -l docs/images

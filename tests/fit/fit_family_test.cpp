@@ -1,5 +1,8 @@
+#include <surefoot/analysis/leg_track.h>
+#include <surefoot/author/gait_file.h>
 #include <surefoot/base/error.h>
 #include <surefoot/fit/fit_gait.h>
+#include <surefoot/host/files.h>
 #include <surefoot/io/load.h>
 #include <surefoot/motion/edit.h>
 #include <surefoot/preset/default_set.h>
@@ -78,6 +81,23 @@ TEST_F(FitFamily, root_and_feet_have_the_speed_asked_for_at_twenty_speeds) {
     }
 }
 
+TEST_F(FitFamily, soles_come_to_the_floor_and_not_far_under_it) {
+    SUREFOOT_NEED_MOTION_DATA(folder);
+    for (const float speed : {0.3f, 0.8f, 1.4f, 2.0f, 2.6f, 3.4f, 5.0f})
+        for (const float turn : {0.0f, 60.0f, -120.0f}) {
+            const AnalyzedClip clip = bake_gait(*gait_, speed, turn);
+            const WalkTrack track = make_track(clip.motion, clip.legs);
+            for (std::size_t side = 0; side < 2; ++side) {
+                float lowest = 1;
+                for (const TrackFrame& frame : track.frames)
+                    for (std::size_t p = 0; p < 3; ++p)  // the toes of these takes do not bend: their tip goes under
+                        lowest = std::min(lowest, frame.legs[side].sole[p].y);
+                EXPECT_GT(lowest, speed > 4 ? -0.04f : -0.03f) << speed << " m/s, " << turn << " deg/s";
+                EXPECT_LT(lowest, 0.02f) << speed << " m/s, " << turn << " deg/s";
+            }
+        }
+}
+
 TEST_F(FitFamily, poses_change_smoothly_with_the_speed) {
     SUREFOOT_NEED_MOTION_DATA(folder);
     for (const float turn : {0.0f, 60.0f, -120.0f}) {
@@ -110,6 +130,18 @@ TEST_F(FitFamily, what_lies_beyond_its_range_is_refused) {
     EXPECT_THROW(bake_gait(*gait_, 6, 0), Error);
     EXPECT_THROW(bake_gait(*gait_, 1, 150), Error);
     EXPECT_THROW(bake_gait(*gait_, 1, 0, 1000), Error);
+}
+
+TEST(BundledFamily, goes_as_fast_as_asked_and_changes_smoothly) {
+    const std::string file = SUREFOOT_SOURCE_DIR "/gaits/fitted/human.json";
+    const HarmonicGait gait = gait_from_json(read_file(file), file);
+    for (int i = 0; i < 20; ++i) {
+        const float speed = 0.3f + 4.7f * static_cast<float>(i) / 19;
+        const AnalyzedClip clip = analyze_clip(bake_gait(gait, speed, 0).motion, "family");
+        EXPECT_NEAR(clip.facts.speed, speed, 0.02f * speed);
+        EXPECT_LT(clip.facts.root_disagreement_speed, 0.02f * speed) << speed << " m/s";
+    }
+    EXPECT_LT(largest_change(gait, 0.05f, 0), 6);
 }
 
 TEST(FitFamilyOfFew, too_few_strides_are_refused) {
