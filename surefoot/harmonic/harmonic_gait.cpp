@@ -105,6 +105,22 @@ void lower_hips(const HarmonicGait& gait, const std::array<FootGoal, 2>& feet, s
     locals[at(hips)].translation += rotate(conjugate(parent.rotation), {0, -drop, 0});
 }
 
+/// Bends toes upwards that would go under the floor as the foot rolls over its ball: many captures know no toes.
+void bend_toes(const Leg& leg, const Skeleton& skeleton, FootGoal& goal) noexcept {
+    if (leg.toes == k_no_joint || skeleton.parents[at(leg.toes)] != leg.foot) return;
+    const Transform toes = goal.foot * Transform{goal.toes, skeleton.rest[at(leg.toes)].translation};
+    const Vec3 tip = rotate(toes.rotation, leg.toe_tip);
+    constexpr float k_share = 0.75f;                // of the bend that keeps them above it: all of it is too quick
+    constexpr float k_steepest = 0.5f;              // sine of how steeply they hang at most, near the floor
+    constexpr float k_near = 0.04f, k_away = 0.2f;  // [m] heights of their joint between which they are let go
+    const float size = length(tip), lowest = std::max(-toes.translation.y, -k_steepest * size);
+    if (tip.y >= lowest || size < 1e-4f || planar_length(tip) < 1e-3f * size) return;
+    const float t = std::clamp((k_away - toes.translation.y) / (k_away - k_near), 0.0f, 1.0f);
+    const float bend = k_share * t * t * (3 - 2 * t) * (asin(lowest / size) - asin(tip.y / size));
+    const Quat up = axis_angle(normalized(cross(tip, k_up)), bend);
+    goal.toes = normalized(conjugate(goal.foot.rotation) * up * toes.rotation);
+}
+
 }  // namespace
 
 int value_count(const HarmonicGait& gait) noexcept {
@@ -227,9 +243,12 @@ void pose(const HarmonicGait& gait, std::span<const float> values, float phase, 
     const GaitRhythm rhythm = rhythm_of(gait, values);
     const float* feet = read.rest();
     const int foot_values = k_foot_series * (1 + 2 * gait.foot_harmonics);
-    const std::array<FootGoal, 2> goals{foot_goal(gait, rhythm, 0, phase, feet),
-                                        foot_goal(gait, rhythm, 1, phase, feet + foot_values)};
-    if (gait.family()) lower_hips(gait, goals, locals);
+    std::array<FootGoal, 2> goals{foot_goal(gait, rhythm, 0, phase, feet),
+                                  foot_goal(gait, rhythm, 1, phase, feet + foot_values)};
+    if (gait.family()) {
+        for (std::size_t side = 0; side < 2; ++side) bend_toes(gait.soles.side[side], *gait.skeleton, goals[side]);
+        lower_hips(gait, goals, locals);
+    }
     reach_feet(gait.legs, goals, locals);
 }
 
