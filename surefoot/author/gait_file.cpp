@@ -241,6 +241,8 @@ HarmonicGait gait_from_json(std::string_view text, const std::string& where) {
         parsed = Json::parse(text.begin(), text.end());
     } catch (const Json::parse_error& error) {
         throw Error(fmt::format("it is no JSON (byte {})", error.byte), where, "make the gait again: surefoot fit");
+    } catch (const Json::exception&) {  // a number that no double holds
+        throw Error("a number in it is too large", where, "make the gait again: surefoot fit");
     }
     JsonNode node(parsed, where, "", nullptr);
     if (!node.has("surefoot_gait")) node.fail("it is no fitted gait", "make one: surefoot fit CLIPS -o gait.json");

@@ -121,6 +121,24 @@ void bend_toes(const Leg& leg, const Skeleton& skeleton, FootGoal& goal) noexcep
     goal.toes = normalized(conjugate(goal.foot.rotation) * up * toes.rotation);
 }
 
+/// Far beyond any gait, and powers of what lies within are still numbers. Null: nothing is wrong.
+const char* problem_of_ranges(const GaitBasis& basis) noexcept {
+    constexpr float k_most_speed = 20, k_most_turn = 720, k_least_unit = 0.05f;  // [m/s], [deg/s], [m/s]
+    const auto is_speed = [](float speed) { return std::fabs(speed) <= k_most_speed; };
+    const auto is_range = [&](float least, float most) { return is_speed(least) && is_speed(most) && least < most; };
+    if (!is_range(basis.least_speed, basis.most_speed)) return "the range of speeds is empty or not usable";
+    if (!(basis.most_turn >= 1 && basis.most_turn <= k_most_turn)) return "the range of turns is not usable";
+    if (!is_range(basis.walk_until, basis.run_from)) return "the speeds of walking and running are not usable";
+    for (std::size_t m = 0; m < 2; ++m) {
+        const auto [slowest, fastest] = basis.fitted_speeds[m];
+        if (!is_speed(basis.middle_speed[m]) || !(basis.speed_unit[m] >= k_least_unit) ||
+            !is_speed(basis.speed_unit[m]) || !is_speed(slowest) || !is_speed(fastest) || !(slowest <= fastest) ||
+            !(basis.fitted_turn[m] >= 0 && basis.fitted_turn[m] <= k_most_turn))
+            return "the speeds or turns of the fitted strides are not usable";
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 int value_count(const HarmonicGait& gait) noexcept {
@@ -136,16 +154,14 @@ std::string problem(const HarmonicGait& gait) {
         return "the number of harmonics is not between 1 and " + std::to_string(k_most_harmonics);
     const GaitBasis& basis = gait.basis;
     if (!in(basis.modes, 1, 2) || !in(basis.degree, 0, 3)) return "the modes or the degree of the basis are not usable";
-    if (!(basis.most_speed > basis.least_speed) || !(basis.most_turn > 0))
-        return "the range of speeds or turns is empty";
-    if (!(basis.run_from > basis.walk_until) || !(basis.speed_unit[0] > 0) || !(basis.speed_unit[1] > 0))
-        return "the speeds of walking and running are not usable";
-    for (std::size_t m = 0; m < 2; ++m)
-        if (!(basis.fitted_speeds[m][1] >= basis.fitted_speeds[m][0]) || !(basis.fitted_turn[m] >= 0))
-            return "the speeds or turns of the fitted strides are not usable";
+    if (const char* text = problem_of_ranges(basis)) return text;
     if (!(gait.foot_lift > 0.05f && gait.foot_lift < 0.95f))
         return "the stance of the feet's series is not 0.05 to 0.95";
     const int joints = gait.skeleton->joint_count();
+    if (gait.legs.count > 0)
+        for (const Leg& leg : gait.soles.side)
+            for (const int joint : {gait.soles.hips, leg.upper, leg.lower, leg.foot})
+                if (!in(joint, 0, joints - 1)) return "the legs are of another skeleton";
     if (static_cast<int>(gait.mean.size()) != joints) return "there is not one mean rotation a joint";
     int before = -1;
     for (const std::int16_t joint : gait.moving) {
@@ -154,7 +170,7 @@ std::string problem(const HarmonicGait& gait) {
     }
     if (gait.coefficients.size() != at(basis.terms()) * at(value_count(gait)))
         return "the number of coefficients does not fit the joints and harmonics";
-    constexpr float k_most = 1e4f;  // radians, metres, cycles a second: far beyond any gait, and safe to square
+    constexpr float k_most = 100;  // radians, metres, cycles a second: far beyond any gait, and safe to take powers of
     for (const float value : gait.coefficients)
         if (!(std::fabs(value) < k_most)) return "a coefficient is no usable number";
     const auto is_unit = [](Quat q) { return std::fabs(dot(q, q) - 1) < 1e-3f; };

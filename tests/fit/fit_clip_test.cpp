@@ -1,6 +1,7 @@
 #include <surefoot/analysis/leg_track.h>
 #include <surefoot/author/gait_file.h>
 #include <surefoot/base/error.h>
+#include <surefoot/base/random.h>
 #include <surefoot/fit/fit_gait.h>
 #include <surefoot/io/load.h>
 #include <surefoot/motion/edit.h>
@@ -91,6 +92,30 @@ TEST(FitClip, bad_files_are_refused_by_name_and_place) {
     EXPECT_NE(with("\"degree\":0", "\"degree\":7").find("not between 0 and 3"), std::string::npos);
     for (std::size_t cut = 1; cut < text.size(); cut += text.size() / 40)
         EXPECT_NE(message(text.substr(0, cut)), "") << cut;
+}
+
+TEST(FitClip, a_damaged_file_is_refused_or_still_moves) {
+    const std::string text = gait_to_json(fit_clip(default_clip("walk")));
+    Random random(11);
+    int read = 0;
+    for (int i = 0; i < 400; ++i) {
+        std::string bad = text;
+        for (int k = 0; k < 3; ++k)
+            bad[random.below(static_cast<std::uint32_t>(bad.size()))] = "0123456789-e.,"[random.below(14)];
+        try {
+            const HarmonicGait gait = gait_from_json(bad, "bad.json");
+            ++read;
+            std::vector<float> values(static_cast<std::size_t>(value_count(gait)));
+            std::vector<Transform> locals(gait.mean.size());
+            values_at(gait, 1, 30, values);
+            for (const float phase : {0.0f, 0.3f, 0.8f}) {
+                pose(gait, values, phase, locals);
+                for (const Transform& local : locals) ASSERT_TRUE(is_finite(local.rotation)) << i;
+            }
+        } catch (const Error&) {
+        }
+    }
+    EXPECT_GT(read, 20);
 }
 
 TEST(FitClip, what_does_not_step_is_refused) { EXPECT_THROW(fit_clip(default_clip("idle")), Error); }

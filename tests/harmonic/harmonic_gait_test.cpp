@@ -78,6 +78,12 @@ TEST(HarmonicGait, a_sound_gait_has_no_problem_and_broken_ones_are_named) {
     HarmonicGait loud = legged_gait();
     loud.harmonics = k_most_harmonics + 1;
     EXPECT_NE(problem(loud).find("harmonics"), std::string::npos);
+    HarmonicGait endless = legged_gait(2);
+    endless.basis.speed_unit[1] = 1e-30f;
+    EXPECT_NE(problem(endless).find("fitted strides"), std::string::npos);
+    HarmonicGait strange = legged_gait();
+    strange.soles.hips = 77;
+    EXPECT_NE(problem(strange).find("another skeleton"), std::string::npos);
     HarmonicGait flat = legged_gait();
     flat.mean[1] = {0, 0, 0, 0};
     EXPECT_NE(problem(flat).find("unit quaternion"), std::string::npos);
