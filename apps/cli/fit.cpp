@@ -16,6 +16,7 @@
 #include <surefoot/motion/edit.h>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,16 +26,16 @@
 namespace surefoot::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct Options {
     std::vector<std::string> in, roles;
     std::string out;
     int harmonics = 5, foot_harmonics = 10;
-    bool family = false;
+    bool family = false, json = false;
     std::vector<float> speeds, turns;
     float fps = 60;
 };
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool is_gait_file(const std::string& path) { return std::filesystem::path(path).extension() == ".json"; }
 
@@ -78,30 +79,114 @@ double skate_of(const AnalyzedClip& clip) {
     return measure_skate(track, track, {frames, 2 * frames}).mean_cm_s;
 }
 
-void print_errors(const AnalyzedClip& clip, const Options& options) {
-    fmt::print("{}: {:.2f} m/s, {:.1f} deg/s, {:.2f} s\n", clip.facts.name, clip.facts.speed, clip.facts.turn,
-               clip.facts.duration);
+/// What fitting one cycle gives.
+struct CycleFit {
+    const AnalyzedClip* clip = nullptr;
+    HarmonicGait gait;
+    std::vector<FitError> errors;
+    double skate = 0, clip_skate = 0;  // [cm/s]; NaN where no foot stands long enough
+};
+
+CycleFit fit_cycle(const AnalyzedClip& clip, const Options& options) {
+    CycleFit fit{&clip, fit_clip(clip, {options.harmonics, options.foot_harmonics}), errors_by_harmonics(clip)};
+    fit.skate = skate_of(bake_gait(fit.gait, clip.facts.speed, clip.facts.turn, clip.motion.fps));
+    fit.clip_skate = skate_of(clip);
+    return fit;
+}
+
+std::string skate_text(double cm_s) {
+    return std::isnan(cm_s) ? "no measurable speed" : fmt::format("{:.1f} cm/s", cm_s);
+}
+
+void print_fit(const CycleFit& fit) {
+    const ClipFacts& facts = fit.clip->facts;
+    fmt::print("{}: {:.2f} m/s, {:.1f} deg/s, {:.2f} s\n", facts.name, facts.speed, facts.turn, facts.duration);
     fmt::print("  harmonics   joints: moving     all           worst                   ankles: mean    most\n");
-    for (const FitError& error : errors_by_harmonics(clip))
+    for (const FitError& error : fit.errors)
         fmt::print("  {:>9}     {:>6.2f} deg {:>6.2f} deg  {:>6.2f} deg {:<20} {:>4.2f} cm {:>4.2f} cm\n",
                    error.harmonics, error.joint_deg, error.all_joints_deg, error.worst_joint_deg, error.worst_joint,
                    error.ankle_cm, error.ankle_max_cm);
-    const HarmonicGait gait = fit_clip(clip, {options.harmonics, options.foot_harmonics});
-    const AnalyzedClip baked = bake_gait(gait, clip.facts.speed, clip.facts.turn, clip.motion.fps);
-    fmt::print("  planted feet slide at {:.2f} cm/s, the clip's at {:.2f}\n", skate_of(baked), skate_of(clip));
+    fmt::print("  planted feet slide at {}, the clip's at {}\n", skate_text(fit.skate), skate_text(fit.clip_skate));
 }
 
-int fit_one(const std::vector<AnalyzedClip>& cycles, const Options& options) {
-    const auto best = std::min_element(cycles.begin(), cycles.end(), [](const auto& a, const auto& b) {
-        return a.facts.seam + 0.02f * a.facts.seam_speed < b.facts.seam + 0.02f * b.facts.seam_speed;
-    });
-    for (const AnalyzedClip& clip : cycles) print_errors(clip, options);
+Json to_json(const FitError& error) {
+    return {{"joint_deg", error.joint_deg},     {"all_joints_deg", error.all_joints_deg},
+            {"worst_joint", error.worst_joint}, {"worst_joint_deg", error.worst_joint_deg},
+            {"ankle_cm", error.ankle_cm},       {"ankle_max_cm", error.ankle_max_cm}};
+}
+
+Json to_json(const CycleFit& fit) {
+    const auto number = [](double value) { return std::isnan(value) ? Json() : Json(value); };
+    const ClipFacts& facts = fit.clip->facts;
+    Json json = {{"name", facts.name},
+                 {"speed_mps", facts.speed},
+                 {"turn_deg_s", facts.turn},
+                 {"skate_cm_s", number(fit.skate)},
+                 {"clip_skate_cm_s", number(fit.clip_skate)},
+                 {"errors", Json::array()}};
+    for (const FitError& error : fit.errors) {
+        json["errors"].push_back({{"harmonics", error.harmonics}});
+        json["errors"].back().update(to_json(error));
+    }
+    return json;
+}
+
+Json to_json(const FamilyReport& report) {
+    Json json = {{"strides", Json::array()}, {"left_out", report.left_out}};
+    for (const StrideError& stride : report.strides) {
+        json["strides"].push_back({{"name", stride.name},
+                                   {"mode", stride.mode == GaitMode::walk ? "walk" : "run"},
+                                   {"speed_mps", stride.speed},
+                                   {"turn_deg_s", stride.turn_deg}});
+        json["strides"].back().update(to_json(stride.error));
+    }
+    return json;
+}
+
+void print_json(const Json& json) { fmt::print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace)); }
+
+int fit_each(const std::vector<AnalyzedClip>& cycles, const Options& options) {
+    std::vector<CycleFit> fits;
+    for (const AnalyzedClip& clip : cycles) {
+        try {
+            fits.push_back(fit_cycle(clip, options));
+        } catch (const Error& error) {
+            if (cycles.size() == 1) throw;
+            fmt::print(stderr, "surefoot: {}\n", error.what());
+        }
+    }
+    if (fits.empty())
+        throw Error("no cycle can be fitted", options.in.front(), "see what the clips hold: surefoot analyze");
+    if (options.json) {
+        Json json = {{"cycles", Json::array()}};
+        for (const CycleFit& fit : fits) json["cycles"].push_back(to_json(fit));
+        print_json(json);
+    } else {
+        for (const CycleFit& fit : fits) print_fit(fit);
+    }
     if (options.out.empty()) return 0;
-    write_file(options.out, gait_to_json(fit_clip(*best, {options.harmonics, options.foot_harmonics})));
-    if (cycles.size() > 1)
-        fmt::print(stderr, "{} cycles were found; written is {}, which loops best (--family fits all)\n", cycles.size(),
-                   best->facts.name);
+    const auto cost = [](const CycleFit& fit) { return fit.clip->facts.seam + 0.02f * fit.clip->facts.seam_speed; };
+    const auto best = std::min_element(fits.begin(), fits.end(),
+                                       [&](const CycleFit& a, const CycleFit& b) { return cost(a) < cost(b); });
+    write_file(options.out, gait_to_json(best->gait));
+    if (fits.size() > 1)
+        fmt::print(stderr, "{} cycles were found; written is {}, which loops best (--family fits all)\n", fits.size(),
+                   best->clip->facts.name);
     return 0;
+}
+
+void print_family(const HarmonicGait& gait, const FamilyReport& report) {
+    fmt::print("{:<24} {:>5} {:>6} {:>8} {:>8} {:>8}\n", "stride", "", "m/s", "deg/s", "joints", "ankles");
+    for (const StrideError& s : report.strides)
+        fmt::print("{:<24} {:>5} {:>6.2f} {:>8.1f} {:>4.1f} deg {:>5.1f} cm\n", s.name,
+                   s.mode == GaitMode::walk ? "walk" : "run", s.speed, s.turn_deg, s.error.joint_deg, s.error.ankle_cm);
+    for (const std::string& line : report.left_out) fmt::print("left out: {}\n", line);
+    fmt::print("{} strides and their mirror images\n", report.strides.size());
+    const GaitBasis& basis = gait.basis;
+    for (std::size_t m = 0; m < static_cast<std::size_t>(basis.modes); ++m)
+        fmt::print("{} at {:.2f} to {:.2f} m/s, turns up to {:.0f} deg/s; beyond, the body does as at the end\n",
+                   m == 0 ? "walking" : "running", basis.fitted_speeds[m][0], basis.fitted_speeds[m][1],
+                   basis.fitted_turn[m]);
 }
 
 int fit_all(const std::vector<AnalyzedClip>& strides, const Options& options) {
@@ -109,19 +194,13 @@ int fit_all(const std::vector<AnalyzedClip>& strides, const Options& options) {
     family.fit = {options.harmonics, options.foot_harmonics};
     FamilyReport report;
     HarmonicGait gait = fit_family(strides, family, &report);
-    if (!options.out.empty()) gait.name = std::filesystem::path(options.out).stem().string();
-    fmt::print("{:<24} {:>5} {:>6} {:>8} {:>8} {:>8}\n", "stride", "", "m/s", "deg/s", "joints", "ankles");
-    for (const StrideError& s : report.strides)
-        fmt::print("{:<24} {:>5} {:>6.2f} {:>8.1f} {:>4.1f} deg {:>5.1f} cm\n", s.name,
-                   s.mode == GaitMode::walk ? "walk" : "run", s.speed, s.turn_deg, s.error.joint_deg, s.error.ankle_cm);
-    for (const std::string& line : report.left_out) fmt::print("left out: {}\n", line);
-    const GaitBasis& basis = gait.basis;
-    fmt::print("{} strides and their mirror images\n", report.strides.size());
-    for (int m = 0; m < basis.modes; ++m)
-        fmt::print("{} at {:.2f} to {:.2f} m/s, turns up to {:.0f} deg/s; beyond, the body does as at the end\n",
-                   m == 0 ? "walking" : "running", basis.fitted_speeds[at(m)][0], basis.fitted_speeds[at(m)][1],
-                   basis.fitted_turn[at(m)]);
-    if (!options.out.empty()) write_file(options.out, gait_to_json(gait));
+    if (options.json)
+        print_json(to_json(report));
+    else
+        print_family(gait, report);
+    if (options.out.empty()) return 0;
+    gait.name = std::filesystem::path(options.out).stem().string();
+    write_file(options.out, gait_to_json(gait));
     return 0;
 }
 
@@ -172,7 +251,7 @@ int run(const Options& options) {
         throw Error("a gait is written as .json", options.out, "name it so: -o gait.json");
     if (options.family)
         return fit_all(cycles_of(options, [](const AnalyzedClip& take) { return find_strides(take); }), options);
-    return fit_one(cycles_of(options, find_cycles), options);
+    return fit_each(cycles_of(options, find_cycles), options);
 }
 
 }  // namespace
@@ -189,6 +268,7 @@ const Command k_fit{
         app.add_option("-o,--output", options->out, "file to write: the gait as .json, or of a gait its clips as .glb");
         app.add_flag("--family", options->family,
                      "one gait for all speeds and turns, from all cycles of one character");
+        app.add_flag("--json", options->json, "print the errors as JSON");
         app.add_option("--harmonics", options->harmonics, "of each joint (default 5)")->check(harmonics);
         app.add_option("--foot-harmonics", options->foot_harmonics, "of the feet on the ground (default 10)")
             ->check(harmonics);

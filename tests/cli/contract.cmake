@@ -60,6 +60,7 @@ expect(0 "" retarget project/clips/walk_left.glb retargeted.glb --to project/cli
 
 # Gaits learnt from clips, and clips of them again.
 expect(0 "harmonics" fit project/clips/walk.glb -o gait.json)
+expect(0 "\"all_joints_deg\"" fit project/clips/walk.glb --json)
 expect(0 "planted feet slide" fit gait.json -o fitted.glb)
 expect(0 "1.40" analyze fitted.glb)
 expect(2 "has a speed and turn of its own" fit gait.json --speed 1 -o fitted.glb)
