@@ -16,12 +16,18 @@ function(surefoot_embed room function)
 endfunction()
 
 # Pages of documentation that the program can show: the Markdown files of a folder become one function from a page's
-# name to its text, so that the text is written once.
+# name to its text, so that the text is written once. EXTENSION takes other files than Markdown; NAMES asks for a
+# function that gives the names, one a line, in order.
 #
-#   surefoot_embed_pages(TARGET FOLDER HEADER FUNCTION)
+#   surefoot_embed_pages(TARGET FOLDER HEADER FUNCTION [EXTENSION md] [NAMES FUNCTION])
 function(surefoot_embed_pages target folder header function)
-  file(GLOB pages CONFIGURE_DEPENDS "${folder}/*.md")
+  cmake_parse_arguments(PAGES "" "EXTENSION;NAMES" "" ${ARGN})
+  if(NOT PAGES_EXTENSION)
+    set(PAGES_EXTENSION md)
+  endif()
+  file(GLOB pages CONFIGURE_DEPENDS "${folder}/*.${PAGES_EXTENSION}")
   set(cases "")
+  set(names "")
   foreach(page ${pages})
     get_filename_component(name "${page}" NAME_WE)
     if(name STREQUAL "README")
@@ -29,8 +35,13 @@ function(surefoot_embed_pages target folder header function)
     endif()
     file(READ "${page}" text)
     string(APPEND cases "    if (name == \"${name}\") return R\"page(${text})page\";\n")
+    string(APPEND names "${name}\\n")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${page}")
   endforeach()
+  set(list_of_names "")
+  if(PAGES_NAMES)
+    set(list_of_names "\nstd::string_view ${PAGES_NAMES}() noexcept { return \"${names}\"; }\n")
+  endif()
   set(source "${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp")
   file(CONFIGURE OUTPUT "${source}" @ONLY CONTENT [[// Made of the pages in @folder@.
 #include <@header@>
@@ -40,7 +51,7 @@ namespace surefoot {
 std::string_view @function@(std::string_view name) noexcept {
 @cases@    return {};
 }
-
+@list_of_names@
 }  // namespace surefoot
 ]])
   target_sources(${target} PRIVATE "${source}")

@@ -38,6 +38,7 @@ if(SUREFOOT_BUILD_TOOLS)
   surefoot_install_targets(author ${author_targets} surefoot_author_library ${library_targets})
   surefoot_install_rooms(author ${author_rooms})
   install(TARGETS surefoot_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT author)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/gaits" DESTINATION "${CMAKE_INSTALL_DATADIR}/surefoot" COMPONENT author)
 endif()
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/surefoot-config.cmake.in"

@@ -485,6 +485,28 @@ SUREFOOT_INLINE Float8<T> acos(Float8<T> x) noexcept {
     x = clamp(x, -1.0f, 1.0f);
     return atan2(sqrt((1.0f - x) * (1.0f + x)), x);
 }
+/// Arc sine of x clamped to [-1, 1], good to 4e-7.
+template <class T>
+SUREFOOT_INLINE Float8<T> asin(Float8<T> x) noexcept {
+    x = clamp(x, -1.0f, 1.0f);
+    return atan2(x, sqrt((1.0f - x) * (1.0f + x)));
+}
+
+/// Exponential, good to 2e-7 of its value. [Limit: x in [-87, 88]]
+template <class T>
+SUREFOOT_INLINE Float8<T> exp(Float8<T> x) noexcept {
+    using F = Float8<T>;
+    const F k = floor(x * 1.44269504f + 0.5f);
+    const F r = (x - k * 0.693359375f) - k * -2.12194440e-4f;  // |r| <= ln2 / 2, ln2 in two parts
+    F p = r * (1.0f / 5040.0f) + (1.0f / 720.0f);
+    p = p * r + (1.0f / 120.0f);
+    p = p * r + (1.0f / 24.0f);
+    p = p * r + (1.0f / 6.0f);
+    p = p * r + 0.5f;
+    p = (p * r * r + r) + 1.0f;
+    // 2^k by its exponent: k + 127 lies in [1, 254], so the product does not overflow.
+    return p * from_bits((to_int(k) + Int8<T>::splat(127)) * Int8<T>::splat(1 << 23));
+}
 
 #undef SUREFOOT_EACH_PART
 

@@ -1,0 +1,157 @@
+// surefoot gait GAIT: what a gait is made of, its controls as a table and as a picture.
+
+#include "command.h"
+
+#include <surefoot/base/error.h>
+#include <surefoot/gait_text/gait.h>
+#include <surefoot/host/files.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace surefoot::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+    std::string gait, preset, plot, table;
+    std::vector<std::string> set;
+    GaitMoments moments;
+    bool check = false, json = false;
+};
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+/// A file, or a gait that the program carries.
+Gait read(const std::string& name) {
+    if (std::filesystem::exists(name))
+        return read_gait(read_file(name, k_max_gait_bytes), name, GaitOutputs::everything);
+    const std::string_view text = bundled_gait(name);
+    if (!text.empty()) return read_gait(text, name + ".gait", GaitOutputs::everything);
+    std::string names;
+    for (const char c : bundled_gait_names()) c == '\n' ? names += ", " : names += c;
+    throw Error("there is no such file and no such gait", name,
+                "name a .gait file or one of: " + names.substr(0, names.size() - 2));
+}
+
+std::string dumped(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+int list(bool json) {
+    Json all = Json::array();
+    const std::string_view names = bundled_gait_names();
+    for (std::size_t at = 0; at < names.size(); at = names.find('\n', at) + 1) {
+        const std::string name(names.substr(at, names.find('\n', at) - at));
+        const Gait gait = read_gait(bundled_gait(name), name + ".gait");
+        all.push_back({{"name", name}, {"help", gait.help}});
+        if (!json) print(fmt::format("{:<24} {}\n", name, gait.help));
+    }
+    if (json) print(dumped({{"gaits", all}}));
+    return 0;
+}
+
+/// Units are the gait's own words, so they stand beside the numbers instead of in the keys.
+Json described(const Gait& gait, const std::vector<double>& values) {
+    Json json{{"name", gait.name}, {"help", gait.help}, {"parameters", Json::array()}, {"outputs", Json::array()}};
+    for (std::size_t i = 0; i < gait.parameters.size(); ++i) {
+        const GaitParameter& p = gait.parameters[i];
+        json["parameters"].push_back({{"name", p.name},
+                                      {"value", values[i]},
+                                      {"default", p.value},
+                                      {"min", p.low},
+                                      {"max", p.high},
+                                      {"unit", p.unit},
+                                      {"group", p.group},
+                                      {"help", p.help}});
+    }
+    for (const GaitOutput& output : gait.outputs)
+        json["outputs"].push_back(
+            {{"name", output.name}, {"control", output.control}, {"unit", output.unit}, {"help", output.help}});
+    json["presets"] = Json::array();
+    for (const GaitPreset& preset : gait.presets) {
+        Json set = Json::object();
+        for (const auto& [parameter, value] : preset.values)
+            set[gait.parameters[static_cast<std::size_t>(parameter)].name] = value;
+        json["presets"].push_back({{"name", preset.name}, {"help", preset.help}, {"values", set}});
+    }
+    json["instructions"] = gait.program.instructions.size();
+    json["registers"] = gait.program.registers;
+    json["warnings"] = gait.warnings;
+    return json;
+}
+
+void describe(const Gait& gait, const std::vector<double>& values) {
+    print(fmt::format("{}{}{}\n\n", gait.name, gait.help.empty() ? "" : ": ", gait.help));
+    std::string group = "\n";  // no group is called so
+    for (std::size_t i = 0; i < gait.parameters.size(); ++i) {
+        const GaitParameter& p = gait.parameters[i];
+        if (p.group != group) print((group = p.group).empty() ? "parameters\n" : p.group + "\n");
+        print(fmt::format("  {:<8} {:>8.4g} {:<9} {:>8.4g} to {:<8.4g} {}\n", p.name, values[i], p.unit, p.low, p.high,
+                          p.help));
+    }
+    print("\ncontrols\n");
+    for (const GaitOutput& output : gait.outputs)
+        if (output.control) print(fmt::format("  {:<20} {:<6} {}\n", output.name, output.unit, output.help));
+    if (!gait.presets.empty()) print("\npresets\n");
+    for (const GaitPreset& preset : gait.presets) print(fmt::format("  {:<24} {}\n", preset.name, preset.help));
+    print(fmt::format("\n{} instructions on {} registers\n", gait.program.instructions.size(), gait.program.registers));
+}
+
+int run(const Options& options) {
+    if (options.gait == "list") return list(options.json);
+    const std::string extension = std::filesystem::path(options.table).extension().string();
+    if (!options.table.empty() && extension != ".csv" && extension != ".json")
+        throw Error("a table is written as .csv or .json", options.table, "name such a file");
+    const Gait gait = read(options.gait);
+    const std::vector<double> values = gait_values(gait, options.preset, options.set);
+    for (const std::string& warning : gait.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+    if (!options.table.empty() || !options.plot.empty()) {
+        const GaitTable table = sample_gait(gait, values, options.moments);
+        if (!options.table.empty())
+            write_file(options.table, extension == ".csv" ? gait_table_csv(gait, table) : gait_table_json(gait, table));
+        if (!options.plot.empty()) write_file(options.plot, gait_table_svg(gait, table));
+    }
+    if (options.json) {
+        print(dumped(described(gait, values)));
+    } else if (options.check || (options.table.empty() && options.plot.empty())) {
+        describe(gait, values);
+    }
+    return options.check && !gait.warnings.empty() ? 1 : 0;
+}
+
+}  // namespace
+
+extern const Command k_gait;
+const Command k_gait{
+    "gait", "Gaits written as expressions: check one, its controls as a table or a picture", [](CLI::App& app) {
+        auto options = std::make_shared<Options>();
+        app.add_option("GAIT", options->gait, "A .gait file, the name of a bundled gait, or 'list' for their names")
+            ->required();
+        app.add_flag("--check", options->check, "List parameters, controls and presets; exit code 1 with warnings");
+        app.add_option("--preset", options->preset, "Begin with the values of this preset");
+        app.add_option("-p,--set", options->set, "Set a parameter, name=value (may be repeated)")
+            ->type_name("NAME=VALUE")
+            ->allow_extra_args(false);
+        app.add_option("--plot", options->plot, "Draw every control over a period, .svg");
+        app.add_option("--table,--controls", options->table, "Write every control over a period, .csv or .json");
+        app.add_option("--frames", options->moments.frames, "Rows at 24 a second instead of one period in 96 steps")
+            ->check(CLI::Range(1, 1000000));
+        app.add_option("--speed", options->moments.speed_mps, "m/s, for gaits that ask for it")
+            ->check(CLI::Range(-20.0, 20.0))
+            ->check(is_number);
+        app.add_option("--turn", options->moments.turn_deg_s, "deg/s to the left")
+            ->check(CLI::Range(-720.0, 720.0))
+            ->check(is_number);
+        app.add_option("--slope", options->moments.slope_deg, "Degrees uphill")
+            ->check(CLI::Range(-60.0, 60.0))
+            ->check(is_number);
+        app.add_flag("--json", options->json, "Describe the gait as JSON on standard output");
+        return [options] { return run(*options); };
+    }};
+
+}  // namespace surefoot::cli
