@@ -144,6 +144,16 @@ TEST(Bhatti2017, the_pelvis_tilts_and_its_hips_go_with_their_feet) {
     EXPECT_LT(p.at("LeftShoulder.tZ", 0), p.at("RightShoulder.tZ", 0));
 }
 
+TEST(Bhatti2017, a_walk_is_high_in_mid_stance_and_a_run_is_low) {
+    for (const std::string preset : {"normal_walk", "jog", "run"}) {
+        const Played p = play(preset);
+        const double mid_stance = p.at("f_pelvis", static_cast<int>(p.at("dutyL", 0) / 2 * k_steps));
+        double amplitude = 0;
+        for (int row = 0; row < k_steps; ++row) amplitude = std::max(amplitude, p.at("f_pelvis", row));
+        EXPECT_GT((preset == "normal_walk" ? 1 : -1) * mid_stance, 0.9 * amplitude) << preset;
+    }
+}
+
 TEST(Bhatti2017, tables_come_as_csv_json_and_picture) {
     const Gait gait = read_gait("gait g control a = T control b = 0.1 period = 0.5", "g");
     GaitMoments moments;

@@ -151,15 +151,18 @@ TEST(Lanes, gather_picks_each_lanes_element) {
 
 TEST(Lanes, trigonometry_is_accurate) {
     const auto a = numbers(5, 100), b = numbers(6, 100);
-    double worst_sin = 0, worst_cos = 0, worst_atan = 0, worst_acos = 0;
-    for (std::size_t i = 16; i + 8 <= a.size(); i += 8) {  // the first sixteen hold angles beyond the promise
-        const VF x = VF::load(&a[i]), y = VF::load(&b[i]);
+    double worst_sin = 0, worst_cos = 0, worst_atan = 0, worst_acos = 0, worst_asin = 0, worst_exp = 0;
+    for (std::size_t n = 16; n + 8 <= a.size(); n += 8) {  // the first sixteen hold angles beyond the promise
+        const VF x = VF::load(&a[n]), y = VF::load(&b[n]);
         const VF s = sin(x), c = cos(x), t = atan2(y, x), o = acos(x * 0.01f);
+        const VF i = asin(x * 0.01f), e = exp(x * 0.87f);
         for (int k = 0; k < 8; ++k) {
             const double dx = x[k], dy = y[k];
             worst_sin = std::fmax(worst_sin, std::fabs(s[k] - surefoot::sin(dx)));
             worst_cos = std::fmax(worst_cos, std::fabs(c[k] - surefoot::cos(dx)));
             worst_atan = std::fmax(worst_atan, std::fabs(t[k] - surefoot::atan2(dy, dx)));
+            worst_asin = std::fmax(worst_asin, std::fabs(i[k] - surefoot::asin(static_cast<double>(x[k] * 0.01f))));
+            worst_exp = std::fmax(worst_exp, std::fabs(e[k] / surefoot::exp(static_cast<double>(x[k] * 0.87f)) - 1));
             worst_acos = std::fmax(worst_acos, std::fabs(o[k] - surefoot::acos(static_cast<double>(x[k] * 0.01f))));
         }
     }
@@ -167,6 +170,8 @@ TEST(Lanes, trigonometry_is_accurate) {
     EXPECT_LT(worst_cos, 2e-7);
     EXPECT_LT(worst_atan, 4e-7);
     EXPECT_LT(worst_acos, 4e-7);
+    EXPECT_LT(worst_asin, 4e-7);
+    EXPECT_LT(worst_exp, 2e-7);
 }
 
 TEST(Lanes, floor_agrees_with_the_library) {
