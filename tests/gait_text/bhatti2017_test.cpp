@@ -114,7 +114,7 @@ TEST(Bhatti2017AsPrinted, eight_lanes_are_within_a_millionth_of_the_paper) {
             }
         }
     }
-    RecordProperty("worst_error", std::to_string(worst));
+    RecordProperty("worst_error_in_billionths", static_cast<int>(worst * 1e9));
 }
 
 // vM = pi / 12: a cycle is 24 frames, one second. phi = 1, k = 2, and sines are known.
