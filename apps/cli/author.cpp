@@ -128,8 +128,7 @@ int run(const Options& options) {
         if (options.fix) print_repairs(result.repairs);
         print_findings(result.project);
         if (const Placeholder* wanted = most_wanted(result.project))
-            fmt::print("the single clip that would help most: {} (worth {:.3g} warnings)\n", wanted->text,
-                       wanted->worth);
+            fmt::print("the single clip that would help most: {} ({})\n", wanted->text, describe_worth(*wanted));
         print_probe(result);
         fmt::print("\nproject: {}\nreport:  {}\n", result.project_file.string(), result.report_file.string());
     }

@@ -2,6 +2,8 @@
 #include <surefoot/author/rank.h>
 #include <surefoot/host/parallel.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -89,6 +91,13 @@ const Placeholder* most_wanted(const Project& project) {
     for (const Placeholder& placeholder : project.placeholders)
         if (placeholder.worth > (best ? best->worth : 0.0f)) best = &placeholder;
     return best;
+}
+
+std::string describe_worth(const Placeholder& placeholder) {
+    if (!(placeholder.worth > 0)) return {};
+    const long warnings = std::lround(placeholder.worth);
+    if (placeholder.worth < 1) return "a small gain, less than settling one warning";
+    return fmt::format("would settle as much as {} warning{}", warnings, warnings == 1 ? "" : "s");
 }
 
 }  // namespace surefoot

@@ -4,6 +4,7 @@
 #include <surefoot/author/workbench.h>
 
 #include <functional>
+#include <string>
 
 namespace surefoot {
 
@@ -22,5 +23,8 @@ void rank_placeholders(Workbench& bench, const BenchScore& score = {});
 
 /// The placeholder that is worth most, the first among equals; null where none is worth anything.
 const Placeholder* most_wanted(const Project& project);
+
+/// What filling a placeholder would change, for a person: "would settle as much as 3 warnings". Empty where nothing.
+std::string describe_worth(const Placeholder& placeholder);
 
 }  // namespace surefoot

@@ -1,5 +1,6 @@
 // A space in the report: drawing, legend, preview, heat maps, missing clips.
 
+#include <surefoot/author/rank.h>
 #include <surefoot/author/report_parts.h>
 #include <surefoot/author/report_style.h>
 
@@ -47,18 +48,27 @@ bool asks_for(const Project& project, const ProjectSpace& space, PlaceholderKind
     });
 }
 
+/// The clips that a space lacks, those first that would help most.
 std::string wanted(const Project& project, const ProjectSpace& space) {
+    std::vector<const Placeholder*> missing;
+    for (const Placeholder& placeholder : project.placeholders)
+        if (placeholder.space == space.name && placeholder.rule != "too-close") missing.push_back(&placeholder);
+    if (missing.empty()) return {};
+    std::stable_sort(missing.begin(), missing.end(), [](const Placeholder* a, const Placeholder* b) {
+        const bool needed_a = a->kind == PlaceholderKind::needed, needed_b = b->kind == PlaceholderKind::needed;
+        return needed_a != needed_b ? needed_a : a->worth > b->worth;
+    });
+    const Placeholder* best = most_wanted(project);
     std::string html;
-    for (const PlaceholderKind kind : {PlaceholderKind::needed, PlaceholderKind::suggested})
-        for (const Placeholder& placeholder : project.placeholders) {
-            if (placeholder.space != space.name || placeholder.kind != kind || placeholder.rule == "too-close")
-                continue;
-            html += "<li><svg viewBox=\"0 0 24 22\" aria-hidden=\"true\">" + placeholder_mark(kind, 12, 11) +
-                    "</svg><span>" + escape_html(placeholder.text) + " <span class=\"count\">(" +
-                    (kind == PlaceholderKind::needed ? "needed" : "suggested") + ", " + escape_html(placeholder.rule) +
-                    ")</span></span></li>";
-        }
-    if (html.empty()) return {};
+    for (const Placeholder* placeholder : missing) {
+        const bool needed = placeholder->kind == PlaceholderKind::needed;
+        std::string worth = describe_worth(*placeholder);
+        if (placeholder == best) worth = "<b>the single clip that would help most</b>: " + worth;
+        html += "<li><svg viewBox=\"0 0 24 22\" aria-hidden=\"true\">" + placeholder_mark(placeholder->kind, 12, 11) +
+                "</svg><span>" + escape_html(placeholder->text) + " <span class=\"count\">(" +
+                (needed ? "needed" : "suggested") + ", " + escape_html(placeholder->rule) +
+                (worth.empty() ? "" : "; " + worth) + ")</span></span></li>";
+    }
     return "<h3>Clips that are missing</h3>\n<ul class=\"wanted\">" + html + "</ul>\n";
 }
 
@@ -106,7 +116,8 @@ std::string space_section(const Project& project, std::size_t index, bool with_p
             "<p class=\"hint\">The preview weighs the corners of the triangle around the puck, whatever this space "
             "asks for.</p>";
     if (with_preview) html += "<div class=\"preview\" hidden></div>";
-    return html + "</figure>\n" + wanted(project, space) + probe_section(project, space) + "</section>\n";
+    return html + "</figure>\n" + wanted(project, space) + probe_section(project, space) +
+           "</section>\n";
 }
 
 }  // namespace surefoot

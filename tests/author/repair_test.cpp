@@ -276,6 +276,18 @@ TEST(repair, the_generated_set_needs_none) {
     EXPECT_LE(total(result.repairs.after, true), total(result.repairs.before, true));
 }
 
+TEST(rank_placeholders, worth_is_said_in_whole_warnings) {
+    Placeholder placeholder;
+    const auto said = [&](float worth) {
+        placeholder.worth = worth;
+        return describe_worth(placeholder);
+    };
+    EXPECT_EQ(said(0), "");
+    EXPECT_EQ(said(0.1f), "a small gain, less than settling one warning");
+    EXPECT_EQ(said(1.05f), "would settle as much as 1 warning");
+    EXPECT_EQ(said(2.6f), "would settle as much as 3 warnings");
+}
+
 TEST(rank_placeholders, the_clip_that_opens_a_dimension_is_worth_most_and_a_score_of_ones_own_counts) {
     Folder folder;
     std::vector<std::string> warnings;

@@ -217,6 +217,31 @@ TEST(report, spaces_of_every_dimension_are_drawn) {
     }
 }
 
+TEST(report, of_missing_clips_the_one_that_helps_most_comes_first_of_its_kind) {
+    Project project = make_project({make_clip("walk", 1.4f, 0), make_clip("run", 3, 0)}, {"speed"});
+    project.placeholders.clear();
+    const auto want = [&](const char* text, PlaceholderKind kind, float worth) {
+        Placeholder placeholder;
+        placeholder.space = project.spaces[0].name;
+        placeholder.rule = "uncovered";
+        placeholder.text = text;
+        placeholder.kind = kind;
+        placeholder.worth = worth;
+        project.placeholders.push_back(placeholder);
+    };
+    want("little", PlaceholderKind::needed, 0.2f);
+    want("hint", PlaceholderKind::suggested, 1);
+    want("most", PlaceholderKind::needed, 4);
+    const std::string html = space_section(project, 0, false);
+    EXPECT_TRUE(is_balanced(html));
+    const std::size_t most = html.find("<span>most <"), little = html.find("<span>little <");
+    const std::size_t hint = html.find("<span>hint <");
+    ASSERT_NE(hint, std::string::npos);
+    EXPECT_LT(most, little);
+    EXPECT_LT(little, hint);
+    EXPECT_EQ(count_of(html, "the single clip that would help most</b>: would settle as much as 4 warnings"), 1u);
+}
+
 TEST(labels, names_of_a_crowd_do_not_cover_each_other) {
     std::vector<LabelRequest> requests;
     std::vector<Box> marks;
