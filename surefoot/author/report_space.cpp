@@ -3,6 +3,7 @@
 #include <surefoot/author/rank.h>
 #include <surefoot/author/report_parts.h>
 #include <surefoot/author/report_style.h>
+#include <surefoot/author/space_slice_svg.h>
 
 #include <fmt/format.h>
 
@@ -72,6 +73,28 @@ std::string wanted(const Project& project, const ProjectSpace& space) {
     return "<h3>Clips that are missing</h3>\n<ul class=\"wanted\">" + html + "</ul>\n";
 }
 
+std::string slice_figure(const Project& project, const ProjectSpace& space, const SliceView& view) {
+    return "<figure class=\"cut-through\">\n<div class=\"wide\">" + space_slice_svg(project, space, view) +
+           "</div><figcaption class=\"hint\">Held: " + escape_html(describe_slice(space.space, view)) +
+           "</figcaption></figure>\n";
+}
+
+/// What a drawing of all samples on one plane cannot show: slices of a space of more than two dimensions.
+std::string slices(const Project& project, const ProjectSpace& space) {
+    const std::vector<SliceView> views = default_slices(space.space);
+    if (space.space.dimensions() < 3 || views.empty()) return {};
+    constexpr std::size_t k_lead = 1;  // of the levels that come first, the middle one
+    std::string html =
+        "<h3>Slices</h3>\n<p>The space cut by a plane; the axes that are not drawn are held. Clips are the fainter the "
+        "farther they are from the plane. The cell around the crossed ring is lit; the list says what plays "
+        "there.</p>\n" +
+        slice_figure(project, space, views[k_lead]) + "<details><summary>" +
+        counted(views.size() - 1, "more slice", "more slices") + "</summary>\n";
+    for (std::size_t v = 0; v < views.size(); ++v)
+        if (v != k_lead) html += slice_figure(project, space, views[v]);
+    return html + "</details>\n";
+}
+
 }  // namespace
 
 std::string space_legend(const Project& project, const ProjectSpace& space, std::string_view drawing) {
@@ -116,7 +139,7 @@ std::string space_section(const Project& project, std::size_t index, bool with_p
             "<p class=\"hint\">The preview weighs the corners of the triangle around the puck, whatever this space "
             "asks for.</p>";
     if (with_preview) html += "<div class=\"preview\" hidden></div>";
-    return html + "</figure>\n" + wanted(project, space) + probe_section(project, space) +
+    return html + "</figure>\n" + slices(project, space) + wanted(project, space) + probe_section(project, space) +
            "</section>\n";
 }
 

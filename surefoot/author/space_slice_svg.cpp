@@ -36,6 +36,14 @@ SpacePoint point_at(const BlendSpace& space, float share) {
     return point;
 }
 
+/// describe_place leaves out what is zero; where an axis is held, zero is worth saying.
+std::string place_or_zero(std::span<const Axis> axes, std::span<const float> values) {
+    std::string text = describe_place(axes, values);
+    if (text.empty())
+        for (const Axis& axis : axes) text += (text.empty() ? "" : ", ") + axis.name + " 0";
+    return text;
+}
+
 class SliceChart {
   public:
     SliceChart(const Project& project, const ProjectSpace& space, const SliceView& view, double width, double height)
@@ -202,8 +210,8 @@ class SliceChart {
     }
 
     std::string place_on(int axis) const {
-        return describe_place(std::span(space_.space.axes).subspan(static_cast<std::size_t>(axis), 1),
-                              std::span(view_.at).subspan(static_cast<std::size_t>(axis), 1));
+        return place_or_zero(std::span(space_.space.axes).subspan(static_cast<std::size_t>(axis), 1),
+                             std::span(view_.at).subspan(static_cast<std::size_t>(axis), 1));
     }
 
     static std::string shortened(const std::string& name) {
@@ -250,7 +258,7 @@ std::string describe_slice(const BlendSpace& space, const SliceView& view) {
         axes.push_back(space.axes[k]);
         values.push_back(view.at[k]);
     }
-    return describe_place(axes, values);
+    return place_or_zero(axes, values);
 }
 
 std::string space_slice_svg(const Project& project, const ProjectSpace& space, const SliceView& view, double width,

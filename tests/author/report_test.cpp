@@ -242,6 +242,26 @@ TEST(report, of_missing_clips_the_one_that_helps_most_comes_first_of_its_kind) {
     EXPECT_EQ(count_of(html, "the single clip that would help most</b>: would settle as much as 4 warnings"), 1u);
 }
 
+TEST(report, slices_show_what_has_more_than_two_dimensions) {
+    std::vector<ProjectClip> clips;
+    for (int i = 0; i < 24; ++i)
+        clips.push_back(make_clip("c" + std::to_string(i), static_cast<float>(i % 4),
+                                  static_cast<float>(i * 37 % 120 - 60), 0.1f * static_cast<float>(i * 7 % 5)));
+    for (const auto& [axes, views] : {std::pair{"speed,turn", 0u}, {"speed,turn,lateral", 5u}}) {
+        const Project project = make_project(clips, {axes});
+        const std::string page = report_html(project);
+        EXPECT_TRUE(is_balanced(without_script(page))) << axes;
+        EXPECT_EQ(count_of(page, "<svg class=\"space slice\""), views) << axes;
+        EXPECT_EQ(count_of(page, "<details><summary>4 more slices"), views > 0 ? 1u : 0u) << axes;
+        // Without a script the middle one is there to be seen, with what plays in it.
+        const std::string lead = page.substr(0, std::min(page.find("more slices"), page.size()));
+        EXPECT_EQ(count_of(lead, "<svg class=\"space slice\""), views > 0 ? 1u : 0u) << axes;
+        if (views > 0) {
+            EXPECT_GT(count_of(lead, "class=\"live-bar"), 0u);
+        }
+    }
+}
+
 TEST(labels, names_of_a_crowd_do_not_cover_each_other) {
     std::vector<LabelRequest> requests;
     std::vector<Box> marks;

@@ -86,5 +86,14 @@ TEST(space_slice_svg, what_is_held_is_told_in_words) {
     EXPECT_EQ(describe_slice(project.spaces[0].space, {{1, 0, 5, 0.25f}, 1, 0}), "5 deg uphill, style 0.25");
 }
 
+TEST(space_slice_svg, an_axis_held_at_zero_is_named) {
+    const Project project = make_project({make_clip("walk", 1, 0), make_clip("run", 3, 0), make_clip("left", 1, 60),
+                                          make_clip("aside", 1, 10, 0.6f), make_clip("away", 1, 10, -0.6f)},
+                                         {"speed,turn,lateral"});
+    const SliceView view{{1.5f, 5, 0}, 1, 0};
+    EXPECT_EQ(describe_slice(project.spaces[0].space, view), "lateral 0");
+    EXPECT_NE(space_slice_svg(project, project.spaces[0], view).find("lateral 0"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace surefoot
