@@ -74,8 +74,11 @@ std::string wanted(const Project& project, const ProjectSpace& space) {
 }
 
 std::string slice_figure(const Project& project, const ProjectSpace& space, const SliceView& view) {
-    return "<figure class=\"cut-through\">\n<div class=\"wide\">" + space_slice_svg(project, space, view) +
-           "</div><figcaption class=\"hint\">Held: " + escape_html(describe_slice(space.space, view)) +
+    const std::string held = escape_html(describe_slice(space.space, view));
+    // On a narrow screen the drawing scrolls, by keyboard too: nothing in it takes the focus.
+    return "<figure class=\"cut-through\">\n<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"Slice, "
+           "held: " +
+           held + "\">" + space_slice_svg(project, space, view) + "</div><figcaption class=\"hint\">Held: " + held +
            "</figcaption></figure>\n";
 }
 

@@ -252,6 +252,8 @@ TEST(report, slices_show_what_has_more_than_two_dimensions) {
         const std::string page = report_html(project);
         EXPECT_TRUE(is_balanced(without_script(page))) << axes;
         EXPECT_EQ(count_of(page, "<svg class=\"space slice\""), views) << axes;
+        EXPECT_EQ(count_of(page, "tabindex=\"0\" role=\"group\" aria-label=\"Slice, held: "), views)
+            << "scrolled by keyboard";
         EXPECT_EQ(count_of(page, "<details><summary>4 more slices"), views > 0 ? 1u : 0u) << axes;
         // Without a script the middle one is there to be seen, with what plays in it.
         const std::string lead = page.substr(0, std::min(page.find("more slices"), page.size()));
