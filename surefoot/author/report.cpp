@@ -107,8 +107,8 @@ std::string report_html(const Project& project, const ReportExtras& extras) {
         escape_html(project.name), report_style(), content_security_policy());
     html += tiles(project);
     for (std::size_t s = 0; s < project.spaces.size(); ++s) html += space_section(project, s, !preview.empty());
-    html += findings_section(project) + clips_section(project, figures) + left_out_section(project, extras) +
-            footer(project, extras) + "</main>\n";
+    html += findings_section(project) + repairs_section(project) + clips_section(project, figures) +
+            left_out_section(project, extras) + footer(project, extras) + "</main>\n";
     if (!preview.empty()) html += "<script type=\"application/json\" id=\"preview-data\">" + preview + "</script>\n";
     return html + "<script>" + report_script() + "</script>\n</body></html>\n";
 }

@@ -79,4 +79,18 @@ std::string findings_section(const Project& project) {
     return html + "</ul></section>\n";
 }
 
+std::string repairs_section(const Project& project) {
+    if (project.repairs.empty()) return {};
+    std::string html =
+        "<section><h2>Repairs</h2>\n<p>Made by <code>--fix</code>; each can be taken back with the command beside it, "
+        "run "
+        "with this project\xe2\x80\x99s folder, all of them with <code>surefoot fix PROJECT "
+        "--undo-all</code>.</p>\n<ul>\n";
+    for (const ProjectRepair& repair : project.repairs)
+        html +=
+            fmt::format("<li>{} <span class=\"count\">({})</span> <code>surefoot fix PROJECT --undo {}</code></li>\n",
+                        escape_html(repair.text), escape_html(repair.rule), escape_html(repair.id));
+    return html + "</ul></section>\n";
+}
+
 }  // namespace surefoot

@@ -26,6 +26,9 @@ std::span<const char* const> heat_scale();
 /// Findings by rule, the worst first, each linked with its marks in the drawings.
 std::string findings_section(const Project& project);
 
+/// What was repaired and how to take it back; empty where nothing was.
+std::string repairs_section(const Project& project);
+
 /// The clips of the spaces with their plots, and those that were left out.
 std::string clips_section(const Project& project, const ClipFigures& figures);
 std::string left_out_section(const Project& project, const ReportExtras& extras);

@@ -242,6 +242,19 @@ TEST(report, of_missing_clips_the_one_that_helps_most_comes_first_of_its_kind) {
     EXPECT_EQ(count_of(html, "the single clip that would help most</b>: would settle as much as 4 warnings"), 1u);
 }
 
+TEST(report, repairs_are_listed_with_the_command_that_undoes_them) {
+    Project project = make_project({make_clip("walk", 1.4f, 0), make_clip("run", 3, 0)}, {"speed"});
+    EXPECT_EQ(report_html(project).find("<h2>Repairs"), std::string::npos);
+    ProjectRepair repair;
+    repair.id = "7", repair.rule = "crossing-axis", repair.text = "mirrored <left>";
+    project.repairs.push_back(repair);
+    const std::string html = report_html(project);
+    EXPECT_TRUE(is_balanced(without_script(html)));
+    EXPECT_NE(html.find("mirrored &lt;left&gt; <span class=\"count\">(crossing-axis)</span> <code>surefoot fix PROJECT "
+                        "--undo 7</code>"),
+              std::string::npos);
+}
+
 TEST(report, slices_show_what_has_more_than_two_dimensions) {
     std::vector<ProjectClip> clips;
     for (int i = 0; i < 24; ++i)
