@@ -239,7 +239,8 @@ std::vector<Finding> in_order(std::vector<Finding> findings) {
     const auto rank = [](const Finding& finding) {
         if (finding.severity == Severity::error) return 0;
         int n = 1;
-        for (const char* rule : {"duplicate", "too-close", "skating-clip", "root-disagrees", "misaligned", "degenerate-space"}) {
+        for (const char* rule :
+             {"duplicate", "too-close", "skating-clip", "root-disagrees", "misaligned", "degenerate-space"}) {
             if (finding.rule == rule) return n;
             ++n;
         }

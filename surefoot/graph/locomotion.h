@@ -137,12 +137,12 @@ static_assert(k_max_locomotion_leaves <= k_max_leaves);
 struct LocomotionFrame {
     std::array<Leaf, k_max_locomotion_leaves> leaf{};  ///< the first `leaf_count`; weights add up to 1
     int leaf_count = 0;
-    RootFrame root_delta;     ///< this frame's root motion seen from the root before it
-    Vec3 velocity;            ///< [m/s] of the root in its own frame: what was obtained
-    float turn = 0;           ///< [deg/s] the same
-    float phase = 0;          ///< [0, 1) after the step
-    float phase_rate = 0;     ///< [cycles/s] at `phase_before`
-    float phase_before = 0;   ///< before this frame's time passed
+    RootFrame root_delta;    ///< this frame's root motion seen from the root before it
+    Vec3 velocity;           ///< [m/s] of the root in its own frame: what was obtained
+    float turn = 0;          ///< [deg/s] the same
+    float phase = 0;         ///< [0, 1) after the step
+    float phase_rate = 0;    ///< [cycles/s] at `phase_before`
+    float phase_before = 0;  ///< before this frame's time passed
     std::uint32_t cycle_before = 0;
     std::uint32_t cycle = 0;  ///< full cycles so far, as in the state
     bool stepping = false;    ///< some leaf has steps (else phase stands still)
