@@ -228,17 +228,23 @@ void lint_missing_axis_end(LintContext& context, const ProjectSpace& space) {
 
 namespace {
 
+/// A finding about one sample, without words yet.
+Finding about_sample(const char* rule, const LintContext& context, const ProjectSpace& space, int sample) {
+    Finding finding;
+    finding.rule = rule;
+    finding.space = space.name;
+    finding.clips = {context.name(space, sample)};
+    finding.at = context.place(space, sample);
+    return finding;
+}
+
 void add_misaligned(LintContext& context, const ProjectSpace& space, int sample, const SpacePoint& aligned,
                     int off_axis) {
     const PercentSpace percent(space);
     const Axis& axis = space.space.axes[off_axis];
     const float value = space.space.samples[sample][off_axis];
     const SideWords words = side_words(axis.name);
-    Finding finding;
-    finding.rule = "misaligned";
-    finding.space = space.name;
-    finding.clips = {context.name(space, sample)};
-    finding.at = context.place(space, sample);
+    Finding finding = about_sample("misaligned", context, space, sample);
     finding.message = fmt::format(
         "\"{}\" seems meant for {}, but it is {} by {:.2g} {} ({:.1f} % of the axis). Placed on the axis by hand it "
         "would carry the character off course; placed where it was measured, {} is mixed from several clips.",
@@ -260,11 +266,7 @@ void add_misaligned(LintContext& context, const ProjectSpace& space, int sample,
 /// A clip that turns by itself where no axis tells turns apart.
 void add_unknown_turn(LintContext& context, const ProjectSpace& space, int sample) {
     const float turn = context.clip(space, sample).facts.turn;
-    Finding finding;
-    finding.rule = "misaligned";
-    finding.space = space.name;
-    finding.clips = {context.name(space, sample)};
-    finding.at = context.place(space, sample);
+    Finding finding = about_sample("misaligned", context, space, sample);
     finding.message = fmt::format(
         "\"{}\" turns by {:.0f} deg/s to its {}, but its space has no axis for that: the character goes where it is "
         "steered, and the feet twist on the ground by what the clip turns.",

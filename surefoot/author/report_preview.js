@@ -194,7 +194,7 @@
         if (k === this.acrossSlot || k === this.upSlot) return [];
         const slider = make('input', { type: 'range', min: axis.low, max: axis.high, step: 'any', value: this.point[k] });
         slider.addEventListener('input', () => this.move(this.point.map((v, i) => (i === k ? Number(slider.value) : v))));
-        return [make('label', { class: 'axis' }, `${axis.name}, ${axis.unit} `, slider)];
+        return [make('label', { class: 'axis' }, axis.unit ? `${axis.name}, ${axis.unit} ` : `${axis.name} `, slider)];
       });
     }
 
@@ -282,7 +282,7 @@
     }
 
     describe(point) {
-      return this.space.axes.map((axis, k) => `${axis.name} ${point[k].toFixed(axis.unit === 'm/s' ? 2 : 0)} ${axis.unit}`).join(', ');
+      return this.space.axes.map((axis, k) => `${axis.name} ${point[k].toFixed(axis.unit === 'm/s' || !axis.unit ? 2 : 0)} ${axis.unit}`.trim()).join(', ');
     }
 
     tell() {

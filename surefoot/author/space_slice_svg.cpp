@@ -36,6 +36,21 @@ SpacePoint point_at(const BlendSpace& space, float share) {
     return point;
 }
 
+/// The point itself, or where clips are sparse one near it that lies among them: a slice shows blends, not the void.
+SpacePoint among_samples(const BlendSpace& space, const SpacePoint& point) {
+    const BlendWeights found = blend_weights(space, point);
+    if (!found.clamped) return point;
+    constexpr float k_inward = 0.1f;  // towards the samples' mean, which lies within them
+    const auto count = static_cast<float>(space.samples.size());
+    SpacePoint inside{};
+    for (int k = 0; k < space.dimensions(); ++k) {
+        float mean = 0;
+        for (const SpacePoint& sample : space.samples) mean += sample[k] / count;
+        inside[k] = found.point[k] + k_inward * (mean - found.point[k]);
+    }
+    return inside;
+}
+
 /// describe_place leaves out what is zero; where an axis is held, zero is worth saying.
 std::string place_or_zero(std::span<const Axis> axes, std::span<const float> values) {
     std::string text = describe_place(axes, values);
@@ -235,13 +250,14 @@ class SliceChart {
 std::vector<SliceView> default_slices(const BlendSpace& space) {
     const int d = space.dimensions();
     if (d < 2 || space.samples.empty()) return {};
-    const SpacePoint middle = point_at(space, 0.5f);
+    const SpacePoint middle = among_samples(space, point_at(space, 0.5f));
     if (d == 2) return {{middle, 1, 0}};
     std::vector<SliceView> views;
     constexpr float k_levels[] = {0.02f, 0.5f, 0.98f};  // just inside, where planes through samples would touch only
     for (const float level : k_levels) {
         SliceView view{point_at(space, level), 1, 0};
         view.at[0] = middle[0], view.at[1] = middle[1];
+        view.at = among_samples(space, view.at);
         views.push_back(view);
     }
     for (int up = 0; up < d; ++up)

@@ -20,7 +20,7 @@ struct SliceView {
 /// The slices that show a space. Three dimensions: the first two axes at three levels of the third, then the two planes
 /// along the third through the middle. Four: the first two axes at low, middle and high of the others together, then
 /// the five other planes through the middle. Two: the one plane that there is. One: none. The middle is that of the
-/// samples.
+/// samples; where no clips are near it, the planes go through points that lie among the clips.
 std::vector<SliceView> default_slices(const BlendSpace& space);
 
 /// What a view shows in words: "style 0.35, slope 5 deg uphill" (the axes that are held).

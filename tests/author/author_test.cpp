@@ -8,6 +8,7 @@
 #include <surefoot/io/gltf.h>
 #include <surefoot/io/load.h>
 #include <surefoot/preset/default_set.h>
+#include <tests/support/folder.h>
 #include <tests/support/motion_data.h>
 
 #include <gtest/gtest.h>
@@ -21,18 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that is there for one test.
-class Folder {
-  public:
-    Folder() {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        path = fs::temp_directory_path() / ("surefoot_" + std::string(test->name()));
-        fs::remove_all(path);
-        fs::create_directories(path);
-    }
-    ~Folder() { fs::remove_all(path); }
-    fs::path path;
-};
+using test::Folder;
 
 std::map<std::string, std::string> contents(const fs::path& folder) {
     std::map<std::string, std::string> files;

@@ -9,6 +9,7 @@
 #include <surefoot/host/parallel.h>
 #include <surefoot/preset/default_set.h>
 #include <surefoot/space/lock_edge.h>
+#include <tests/support/folder.h>
 #include <tests/support/motion_data.h>
 
 #include <gtest/gtest.h>
@@ -20,17 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Folder {
-  public:
-    Folder() {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        path = fs::temp_directory_path() / ("surefoot_repair_" + std::string(test->name()));
-        fs::remove_all(path);
-        fs::create_directories(path);
-    }
-    ~Folder() { fs::remove_all(path); }
-    fs::path path;
-};
+using test::Folder;
 
 /// The generated set without some of its clips.
 std::vector<Motion> set_without(const std::vector<std::string>& names) {

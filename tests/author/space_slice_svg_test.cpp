@@ -11,6 +11,7 @@ namespace {
 
 using test::make_clip;
 using test::make_project;
+using test::pin_clip;
 
 /// Two speeds, two turns, two slopes, two styles, and a clip in the middle of them.
 Project wide_project(const std::string& axes) {
@@ -52,6 +53,20 @@ TEST(space_slice_svg, three_and_four_dimensions_are_shown_along_every_pair_of_ax
         EXPECT_EQ(pairs.size(), d * (d - 1) / 2);
     }
     EXPECT_TRUE(default_slices(wide_project("speed").spaces[0].space).empty());
+}
+
+TEST(space_slice_svg, slices_go_through_the_clips_where_the_middle_is_empty) {
+    // One corner of a box: its middle is outside.
+    const Project project =
+        test::make_space({pin_clip("a", "facing", {0, 0, 0}), pin_clip("b", "facing", {2, 0, 0}),
+                          pin_clip("c", "facing", {0, 90, 0}), pin_clip("d", "facing", {0, 0, 10})},
+                         {{"speed", "m/s", 0, 2}, {"turn", "deg/s", 0, 90}, {"slope", "deg", 0, 10}});
+    const BlendSpace& space = project.spaces[0].space;
+    EXPECT_TRUE(blend_weights(space, {1, 45, 5}).clamped);
+    for (const SliceView& view : default_slices(space)) {
+        EXPECT_FALSE(blend_weights(space, view.at).clamped);
+        EXPECT_GE(slice(space, view.at, view.across, view.up).live_cell, 0);
+    }
 }
 
 TEST(space_slice_svg, cells_live_cell_and_weights_are_drawn_as_the_slice_says) {
