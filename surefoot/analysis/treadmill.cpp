@@ -316,14 +316,13 @@ GroundMotion estimate_ground_motion(const Tracks& tracks, float leg_length, cons
     return estimate(tracks, view, leg_length, given_turn);
 }
 
-GroundMotion estimate_slip(const Tracks& tracks, std::span<const RootFrame> root, float leg_length,
-                           const float* given_turn) {
+GroundMotion estimate_slip(const Tracks& tracks, std::span<const RootFrame> root, float leg_length) {
     if (root.size() < 2 || root.size() != tracks.hips.size()) return {};
     Viewpoint view;
     view.root = root;
     for (std::size_t f = 1; f < root.size(); ++f)
         view.way += between(root[f - 1], root[f]).position * (tracks.fps / static_cast<float>(root.size() - 1));
-    return estimate(tracks, view, leg_length, given_turn);
+    return estimate(tracks, view, leg_length, nullptr);
 }
 
 std::vector<RootFrame> constant_path(const GroundMotion& motion, float fps, int frames) {

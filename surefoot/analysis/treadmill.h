@@ -30,8 +30,7 @@ GroundMotion estimate_ground_motion(const Tracks& tracks, float leg_length, cons
 /// What the standing feet of a clip with root motion slip over the ground: the same estimate, as seen from the root
 /// (one frame a frame of `tracks`, which are in the world), about its origin. The feet say that the root moves by that
 /// much more than it does. Nothing (coverage 0) where the frames do not match.
-GroundMotion estimate_slip(const Tracks& tracks, std::span<const RootFrame> root, float leg_length,
-                           const float* given_turn = nullptr);
+GroundMotion estimate_slip(const Tracks& tracks, std::span<const RootFrame> root, float leg_length);
 
 /// The path of a frame that starts at the origin and moves with constant velocity [m/s] and turn [rad/s] in its own
 /// space, about `centre`, sampled at `fps`: multiply a motion in place by it and it travels.
