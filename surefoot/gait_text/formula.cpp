@@ -1,5 +1,4 @@
-#include "formula.h"
-
+#include <surefoot/gait_text/formula.h>
 #include <surefoot/gait_text/gait.h>
 
 #include <cmath>

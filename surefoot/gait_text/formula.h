@@ -1,6 +1,5 @@
 #pragma once
-// Expressions as a graph in which equal parts are one, constants folded; and its way to a register program. Private to
-// the room.
+// Expressions as a graph in which equal parts are one, constants folded; and its way to a register program.
 
 #include <surefoot/gait/program.h>
 

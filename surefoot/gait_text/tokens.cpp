@@ -1,7 +1,6 @@
-#include "tokens.h"
-
 #include <surefoot/base/error.h>
 #include <surefoot/gait_text/gait.h>
+#include <surefoot/gait_text/tokens.h>
 
 #include <fast_float/fast_float.h>
 
@@ -39,7 +38,8 @@ std::string quoted(const Token& token) {
 
 Tokens::Tokens(std::string_view source, std::string where) : source_(source), where_(std::move(where)) {
     if (source.size() > k_max_gait_bytes)
-        throw Error("the text is longer than " + std::to_string(k_max_gait_bytes) + " bytes", where_, "is it a gait?");
+        throw Error("the text is longer than " + std::to_string(k_max_gait_bytes) + " bytes", where_,
+                    "is it what it is taken for?");
     next_ = scan();
 }
 
@@ -135,7 +135,7 @@ Token Tokens::scan() {
         if (c == '^') fail("there is no sign ^", at_, "write x * x for the square of x");
         if (c == '!' && end == at_ + 1) fail("there is no sign !", at_, "write not");
         if (std::string_view("+-*/(),?:<>=!{}[]").find(c) == std::string_view::npos)
-            fail("a gait has no use for this character", at_, "the language is described in docs/gaits.md");
+            fail("the language has no use for this character", at_, "it is described in docs/gaits.md");
     }
     token.text = source_.substr(at_, end - at_);
     at_ = end;

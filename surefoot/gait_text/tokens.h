@@ -1,5 +1,5 @@
 #pragma once
-// A gait's text cut into words, with errors that show the place. Private to the room.
+// A text cut into words, with errors that show the place.
 
 #include <cstddef>
 #include <string>
