@@ -52,6 +52,7 @@ struct Placeholder {
     std::string rule;           ///< of the finding that asks for it
     std::string text;           ///< "a clip at 1.4 m/s turning 90 deg/s to the left"
     float worth = 0;            ///< what a clip here would mend, in warnings (author/rank.h)
+    float probe_gain = 0;       ///< share of what the probe found wrong that it would mend, 0 to 1; 0 without a probe
 
     friend bool operator==(const Placeholder&, const Placeholder&) = default;
 };

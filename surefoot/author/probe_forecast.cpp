@@ -82,7 +82,7 @@ double forecast_error(const Project& probed, const Project& after) {
                    std::equal(space->space.axes.begin(), space->space.axes.end(), probe.axes.begin(), probe.axes.end(),
                               [](const Axis& a, const ProbeAxis& b) { return a.name == b.name; });
         };
-        if (same(now) && same(then)) sum += forecast_space(rules, *now, *then, probe);
+        if (same(now)) sum += forecast_space(rules, *now, same(then) ? *then : *now, probe);
     }
     return sum;
 }

@@ -136,7 +136,8 @@ Json to_json(const Placeholder& placeholder) {
             {"target", numbers(placeholder.target)},
             {"rule", placeholder.rule},
             {"text", placeholder.text},
-            {"worth", short_number(placeholder.worth)}};
+            {"worth", short_number(placeholder.worth)},
+            {"probe_gain", short_number(placeholder.probe_gain)}};
 }
 
 Json to_json(const RepairStep& step) {
@@ -364,6 +365,7 @@ Placeholder read_placeholder(JsonNode node) {
     placeholder.rule = node.at("rule").text();
     placeholder.text = node.at("text").text();
     if (node.has("worth")) placeholder.worth = node.at("worth").real();
+    if (node.has("probe_gain")) placeholder.probe_gain = node.at("probe_gain").real();
     node.finish();
     return placeholder;
 }

@@ -1,4 +1,5 @@
 #include <surefoot/analysis/measure.h>
+#include <surefoot/author/probe_forecast.h>
 #include <surefoot/author/rank.h>
 #include <surefoot/host/parallel.h>
 
@@ -10,6 +11,8 @@
 
 namespace surefoot {
 namespace {
+
+constexpr double k_error_weight = 2;  // a new clip brings new edges, and what those lack is asked for in its turn
 
 std::optional<float> asked(const Placeholder& placeholder, std::string_view axis) {
     for (std::size_t k = 0; k < placeholder.axes.size() && k < placeholder.target.size(); ++k)
@@ -56,48 +59,65 @@ const Placeholder* mirror_of(const Project& project, const Placeholder& placehol
     return nullptr;
 }
 
+long percent_mended(const Placeholder& placeholder) { return std::lround(100 * placeholder.probe_gain); }
+
+bool opens_dimension(const Placeholder& placeholder) {
+    return placeholder.rule == "degenerate-space" && placeholder.worth > 0;
+}
+
 }  // namespace
 
-double findings_weight(const Project& project) {
+double findings_weight(const Project& project, double error) {
     double sum = 0;
     for (const Finding& finding : project.findings)
-        sum += finding.severity == Severity::error     ? 2
+        sum += finding.severity == Severity::error     ? error
                : finding.rule == "degenerate-space"    ? 10
                : finding.severity == Severity::warning ? 1
                                                        : 0.05;
     return sum;
 }
 
-void rank_placeholders(Workbench& bench, const BenchScore& score) {
-    const BenchScore by = score ? score : [](const Workbench& b) { return findings_weight(b.project); };
-    const double before = by(bench);
-    std::vector<Placeholder>& placeholders = bench.project.placeholders;
-    std::vector<double> worth(placeholders.size(), 0.0);
-    parallel_for(placeholders.size(), [&](std::size_t i) {
+void rank_placeholders(Workbench& bench) {
+    const Project& project = bench.project;
+    const double findings = findings_weight(project, k_error_weight), wrong = forecast_error(project, project);
+    std::vector<Placeholder> ranked = project.placeholders;
+    parallel_for(ranked.size(), [&](std::size_t i) {
         Workbench trial = bench;
         std::vector<std::string> unheard;
-        trial.add(imagined(placeholders[i], trial.project), nullptr);
-        if (const Placeholder* other = mirror_of(bench.project, placeholders[i]))
+        trial.add(imagined(ranked[i], trial.project), nullptr);
+        if (const Placeholder* other = mirror_of(project, project.placeholders[i]))
             trial.add(imagined(*other, trial.project), nullptr);
-        place_and_lint(trial, &bench.project, unheard);
-        worth[i] = before - by(trial);
+        place_and_lint(trial, &project, unheard);
+        ranked[i].worth = static_cast<float>(std::max(0.0, findings - findings_weight(trial.project, k_error_weight)));
+        const double mended = wrong > 0 ? 1 - forecast_error(project, trial.project) / wrong : 0;
+        ranked[i].probe_gain = static_cast<float>(std::max(0.0, mended));
     });
-    for (std::size_t i = 0; i < placeholders.size(); ++i)
-        placeholders[i].worth = static_cast<float>(std::max(0.0, worth[i]));
+    bench.project.placeholders = std::move(ranked);
+}
+
+bool helps_more(const Placeholder& a, const Placeholder& b) {
+    // A probe cannot tell what turning would be like where nothing turns yet.
+    const bool opens_a = opens_dimension(a), opens_b = opens_dimension(b);
+    if (opens_a != opens_b) return opens_a;
+    const long mends_a = percent_mended(a), mends_b = percent_mended(b);
+    return mends_a != mends_b ? mends_a > mends_b : a.worth > b.worth;
 }
 
 const Placeholder* most_wanted(const Project& project) {
-    const Placeholder* best = nullptr;
-    for (const Placeholder& placeholder : project.placeholders)
-        if (placeholder.worth > (best ? best->worth : 0.0f)) best = &placeholder;
-    return best;
+    const std::vector<Placeholder>& all = project.placeholders;
+    const auto best = std::min_element(all.begin(), all.end(), helps_more);
+    return best != all.end() && helps_more(*best, {}) ? &*best : nullptr;
 }
 
 std::string describe_worth(const Placeholder& placeholder) {
-    if (!(placeholder.worth > 0)) return {};
-    const long warnings = std::lround(placeholder.worth);
-    if (placeholder.worth < 1) return "a small gain, less than settling one warning";
-    return fmt::format("would settle as much as {} warning{}", warnings, warnings == 1 ? "" : "s");
+    const long percent = percent_mended(placeholder), warnings = std::lround(placeholder.worth);
+    std::string text;
+    if (percent > 0) text = fmt::format("would mend {} % of what the probe found wrong", percent);
+    if (warnings > 0)
+        text += fmt::format("{} settle as much as {} warning{}", text.empty() ? "would" : " and", warnings,
+                            warnings == 1 ? "" : "s");
+    if (text.empty() && placeholder.worth > 0) text = "a small gain, less than settling one warning";
+    return text;
 }
 
 }  // namespace surefoot

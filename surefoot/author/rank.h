@@ -3,28 +3,29 @@
 
 #include <surefoot/author/workbench.h>
 
-#include <functional>
 #include <string>
 
 namespace surefoot {
 
-/// How bad a project is; lower is better. It gets a bench in which the clip in question stands where the placeholder
-/// asks for it, placed and linted: a clip of facts, without motion (its entry in `clips` is null).
-using BenchScore = std::function<double(const Workbench& bench)>;
+/// How bad a project's findings are, in warnings; lower is better. `error`: what an error counts. A suggestion counts
+/// as a twentieth, a space that lacks a dimension as ten: the rest of its findings shows only once it has one.
+double findings_weight(const Project& project, double error);
 
-/// The default: what the findings weigh, in warnings. An error counts as two (a new clip brings new edges, and what
-/// those lack is asked for in its turn), a suggestion as a twentieth, a space that lacks a dimension as ten: the rest
-/// of its findings shows only once it has one.
-double findings_weight(const Project& project);
+/// Fills every placeholder of the bench's project in turn with a clip of facts alone, places and lints, and keeps what
+/// is better then: `worth` by the findings, and `probe_gain` by the forecast of the probe (author/probe_forecast.h)
+/// where the project has one. Where the mirror image of that clip would fill another placeholder it is counted in:
+/// mirroring costs nothing.
+void rank_placeholders(Workbench& bench);
 
-/// Fills `worth` of every placeholder of the bench's project: by how much `score` falls with a clip there. Where the
-/// mirror image of that clip would fill another placeholder it is counted in: mirroring costs nothing.
-void rank_placeholders(Workbench& bench, const BenchScore& score = {});
+/// Whether `a` would help more: first what opens a dimension, then by what it mends of the blends, to the percent, and
+/// last by the findings.
+bool helps_more(const Placeholder& a, const Placeholder& b);
 
-/// The placeholder that is worth most, the first among equals; null where none is worth anything.
+/// The placeholder that helps most, the first among equals; null where none helps.
 const Placeholder* most_wanted(const Project& project);
 
-/// What filling a placeholder would change, for a person: "would settle as much as 3 warnings". Empty where nothing.
+/// What filling a placeholder would change, for a person: "would mend 31 % of what the probe found wrong and settle as
+/// much as 3 warnings". Empty where nothing.
 std::string describe_worth(const Placeholder& placeholder);
 
 }  // namespace surefoot

@@ -1,6 +1,7 @@
 #include <surefoot/author/lint_context.h>
 #include <surefoot/author/make_clip.h>
 #include <surefoot/author/place.h>
+#include <surefoot/author/rank.h>
 #include <surefoot/author/repair.h>
 #include <surefoot/author/repair_plan.h>
 #include <surefoot/base/error.h>
@@ -19,6 +20,9 @@ namespace {
 
 constexpr float k_more_skate = 0.03f;  // [m/s] that a made clip may slide more than its worst source
 constexpr double k_off_target = 5;     // [%] of an axis' range by which a made clip may miss its place
+constexpr double k_error_weight = 50;  // an error is worth any number of warnings
+constexpr float k_held_skate = 0.03f;  // [m/s] of a clip: feet that slide more are held ...
+constexpr float k_held_gain = 0.6f;    // ... if what is left of it is this share at most
 
 ProjectClip made_clip(const ProjectRepair& repair, const RepairStep& step, const Workbench& bench,
                       const ClipFacts& facts) {
@@ -81,18 +85,6 @@ bool lock_planned_edge(Project& project, const RepairStep& step) {
         return true;
     }
     return false;
-}
-
-/// What findings weigh together. A space without its second dimension weighs like several warnings: its other findings
-/// only show once it has one.
-int weight(const Project& project) {
-    int sum = 0;
-    for (const Finding& finding : project.findings)
-        sum += finding.severity == Severity::error     ? 1000
-               : finding.rule == "degenerate-space"    ? 100
-               : finding.severity == Severity::warning ? 20
-                                                       : 1;
-    return sum;
 }
 
 int count_at_least(const Project& project, Severity least) {
@@ -181,9 +173,11 @@ std::string next_id(const Project& project) {
     return std::to_string(highest + 1);
 }
 
+enum class Gain { fewer_findings, no_more_findings };
+
 /// The bench with the plan carried out; `why` says why not where it does not hold what was asked.
 std::optional<Workbench> try_plan(const Workbench& bench, const Finding& finding, const RepairPlan& plan,
-                                  std::string& why) {
+                                  std::string& why, Gain gain = Gain::fewer_findings) {
     ProjectRepair repair{next_id(bench.project), finding.rule, finding.space, finding.clips, plan.text, plan.steps};
     Workbench trial = bench;
     std::vector<std::string> unheard;
@@ -218,7 +212,9 @@ std::optional<Workbench> try_plan(const Workbench& bench, const Finding& finding
         why = "the finding would still be there";
         return {};
     }
-    if (weight(trial.project) >= weight(bench.project) ||
+    const double now = findings_weight(trial.project, k_error_weight);
+    const double was = findings_weight(bench.project, k_error_weight);
+    if ((gain == Gain::fewer_findings ? now >= was : now > was) ||
         count_at_least(trial.project, Severity::warning) > count_at_least(bench.project, Severity::warning)) {
         why = "it would bring as many findings as it mends";
         return {};
@@ -273,6 +269,28 @@ RepairAttempt attempt(Workbench& bench, const Finding& finding) {
     return result;
 }
 
+/// Captured feet slide a little everywhere, less than lint minds; blended, each clip's own slip adds to the turn and
+/// the skate of the blend. Made clips are left alone: what they are made of was held.
+void hold_feet(Workbench& bench, const RepairOptions& options, RepairReport& report) {
+    const std::vector<ProjectClip> clips = bench.project.clips;
+    for (const ProjectClip& clip : clips) {
+        if (clip.excluded || clip.made() || !clip.facts.cyclic || clip.facts.skate < k_held_skate) continue;
+        Finding sliding;
+        sliding.rule = "skating-clip", sliding.severity = Severity::info, sliding.clips = {clip.name};
+        sliding.message = fmt::format("planted feet slide at {:.1f} cm/s", 100 * clip.facts.skate);
+        if (!selected(options, sliding)) continue;
+        for (const RepairPlan& plan : repair_plans(bench, sliding)) {
+            std::string why;
+            std::optional<Workbench> held = try_plan(bench, sliding, plan, why, Gain::no_more_findings);
+            const BenchClip* made = held ? held->find(plan.steps.front().makes) : nullptr;
+            if (!made || made->clip.facts.skate > k_held_gain * clip.facts.skate) continue;
+            bench = std::move(*held);
+            report.attempts.push_back({fix_id(sliding), sliding, true, plan.text});
+            break;
+        }
+    }
+}
+
 }  // namespace
 
 int RepairReport::made() const {
@@ -299,6 +317,7 @@ std::map<std::string, int> count_findings(const Project& project) {
 RepairReport repair(Workbench& bench, const RepairOptions& options) {
     RepairReport report;
     report.before = count_findings(bench.project);
+    hold_feet(bench, options, report);
     std::map<std::string, RepairAttempt> refused;
     for (bool again = true; again;) {
         again = false;

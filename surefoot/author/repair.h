@@ -33,11 +33,12 @@ struct RepairReport {
 /// Name of what would mend a finding: eight hexadecimal digits that are the same as long as the finding is.
 std::string fix_id(const Finding& finding);
 
-/// Repairs what can be repaired, worst first. `bench` must be placed and linted; afterwards it is again. A repair is
-/// kept only where the finding is gone, no rule has more errors than before, errors and warnings together are no more,
-/// every made clip does what it was made for (within a twentieth of each axis' range) and slides no more than its
-/// sources (by 3 cm/s), and no space loses a dimension. The same bench gives the same repairs on any thread count; a
-/// second run makes none.
+/// Repairs what can be repaired: sliding feet are held first (also those that slide less than lint minds), then
+/// findings are mended, worst first. `bench` must be placed and linted; afterwards it is again. A repair is kept only
+/// where the finding is gone, no rule has more errors than before, errors and warnings together are no more, every made
+/// clip does what it was made for (within a twentieth of each axis' range) and slides no more than its sources (by 3
+/// cm/s), and no space loses a dimension. The same bench gives the same repairs on any thread count; a second run makes
+/// none.
 RepairReport repair(Workbench& bench, const RepairOptions& options = {});
 
 /// Makes again what `before` records (from the clips that are at hand now) and records it in `bench`; repairs whose

@@ -346,6 +346,18 @@ void plan_clip_at(const Workbench& bench, const ProjectSpace& space, const Findi
     plan_spot_turns(bench, space, target, plans);
 }
 
+/// A clip that drifts aside where no axis of its space knows it takes its feet elsewhere than the root goes.
+void straighten_travel(const ProjectSpace& space, const ClipFacts& facts, std::map<std::string, double>& path) {
+    constexpr float k_drift = 0.2f;  // of the travel; what drifts more is meant to
+    const auto has = [&](const char* name) {
+        return std::any_of(space.space.axes.begin(), space.space.axes.end(),
+                           [&](const Axis& axis) { return axis.name == name; });
+    };
+    const float forward = std::fabs(facts.forward), lateral = std::fabs(facts.lateral);
+    if (has("speed") && !has("lateral") && lateral < k_drift * forward) path["lateral_mps"] = 0;
+    if (has("lateral") && !has("speed") && !has("forward") && forward < k_drift * lateral) path["forward_mps"] = 0;
+}
+
 /// The clip brought onto the axis takes the place of the one beside it.
 void plan_straightening(const Workbench& bench, const ProjectSpace& space, const Finding& finding,
                         std::vector<RepairPlan>& plans) {
@@ -364,8 +376,9 @@ void plan_straightening(const Workbench& bench, const ProjectSpace& space, const
     }
     // Where the clip already stands as it should, it is the turn that no axis knows.
     if (path.empty()) path["turn_deg_s"] = 0;
-    Planner planner(bench);
     const std::string& from = finding.clips.front();
+    straighten_travel(space, bench.project.clips[static_cast<std::size_t>(bench.project.find_clip(from))].facts, path);
+    Planner planner(bench);
     const std::string made = planner.make("steer", {from}, path);
     planner.expect(space.space.axes, finding.fix->target);
     planner.exclude(from, fmt::format("\"{}\" is the same, brought onto the axis", made));
@@ -428,9 +441,9 @@ double strangeness(const Workbench& bench, const ProjectSpace& space, const std:
     return count > 0 ? sum / count : 0;
 }
 
-/// One of two is left out: the one that crowds several others, then what lies off the axes, then a made clip before a
-/// recorded one, one from another skeleton before one that needed no retargeting, then the one whose poses are farther
-/// from the others'.
+/// One of two is left out: the one that crowds several others, then what lies off the axes, then what slides more, then
+/// a made clip before a recorded one, one from another skeleton before one that needed no retargeting, then the one
+/// whose poses are farther from the others'.
 void plan_keeping_one(const Workbench& bench, const ProjectSpace& space, const Finding& finding,
                       std::vector<RepairPlan>& plans) {
     if (finding.clips.size() != 2) return;
@@ -438,6 +451,13 @@ void plan_keeping_one(const Workbench& bench, const ProjectSpace& space, const F
     const auto made = [&](const std::string& name) {
         const int index = bench.project.find_clip(name);
         return index >= 0 && bench.project.clips[static_cast<std::size_t>(index)].made();
+    };
+    const auto held = [&](const std::string& name) {
+        return std::any_of(
+            bench.project.repairs.begin(), bench.project.repairs.end(), [&](const ProjectRepair& repair) {
+                return std::any_of(repair.steps.begin(), repair.steps.end(),
+                                   [&](const RepairStep& step) { return step.kind == "plant" && step.makes == name; });
+            });
     };
     const auto was_retargeted = [&](const std::string& name) {
         const int index = bench.project.find_clip(name);
@@ -466,6 +486,7 @@ void plan_keeping_one(const Workbench& bench, const ProjectSpace& space, const F
     const bool stranger = strangeness(bench, space, keep) > strangeness(bench, space, drop) + 1e-4;
     if (std::abs(more_crowded) > 1                     ? more_crowded > 0
         : std::fabs(nearer) > k_matters                ? nearer > 0
+        : held(keep) != held(drop)                     ? held(drop)
         : made(keep) != made(drop)                     ? made(keep)
         : was_retargeted(keep) != was_retargeted(drop) ? was_retargeted(keep)
                                                        : stranger)

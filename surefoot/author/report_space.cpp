@@ -57,7 +57,7 @@ std::string wanted(const Project& project, const ProjectSpace& space) {
     if (missing.empty()) return {};
     std::stable_sort(missing.begin(), missing.end(), [](const Placeholder* a, const Placeholder* b) {
         const bool needed_a = a->kind == PlaceholderKind::needed, needed_b = b->kind == PlaceholderKind::needed;
-        return needed_a != needed_b ? needed_a : a->worth > b->worth;
+        return needed_a != needed_b ? needed_a : helps_more(*a, *b);
     });
     const Placeholder* best = most_wanted(project);
     std::string html;

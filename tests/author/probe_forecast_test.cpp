@@ -67,11 +67,11 @@ TEST(probe_forecast, a_clip_beyond_the_hull_is_worth_the_places_it_covers) {
     EXPECT_LT(corner, tip) << "the corner opens more than the tip";
 }
 
-TEST(probe_forecast, without_a_probe_or_on_other_axes_there_is_nothing_to_forecast) {
+TEST(probe_forecast, of_other_axes_nothing_is_told_and_without_a_probe_nothing_at_all) {
     Project project = probed();
-    Project other = plane();
+    Project other = plane({make_clip("walk_left", 0.7f, 40)});
     other.spaces[0].space.axes[1].name = "lateral";
-    EXPECT_EQ(forecast_error(project, other), 0);
+    EXPECT_EQ(forecast_error(project, other), forecast_error(project, project));
     project.probe = {};
     EXPECT_EQ(forecast_error(project, project), 0);
 }

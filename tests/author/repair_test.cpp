@@ -2,6 +2,7 @@
 
 #include <surefoot/author/author.h>
 #include <surefoot/author/make_clip.h>
+#include <surefoot/author/probe_result.h>
 #include <surefoot/author/rank.h>
 #include <surefoot/author/repair.h>
 #include <surefoot/base/error.h>
@@ -277,9 +278,12 @@ TEST(rank_placeholders, worth_is_said_in_whole_warnings) {
     EXPECT_EQ(said(0.1f), "a small gain, less than settling one warning");
     EXPECT_EQ(said(1.05f), "would settle as much as 1 warning");
     EXPECT_EQ(said(2.6f), "would settle as much as 3 warnings");
+    placeholder.probe_gain = 0.314f;
+    EXPECT_EQ(said(2.6f), "would mend 31 % of what the probe found wrong and settle as much as 3 warnings");
+    EXPECT_EQ(said(0.4f), "would mend 31 % of what the probe found wrong");
 }
 
-TEST(rank_placeholders, the_clip_that_opens_a_dimension_is_worth_most_and_a_score_of_ones_own_counts) {
+TEST(rank_placeholders, the_clip_that_opens_a_dimension_is_worth_most) {
     Folder folder;
     std::vector<std::string> warnings;
     DefaultSet set = make_default_set();
@@ -292,9 +296,47 @@ TEST(rank_placeholders, the_clip_that_opens_a_dimension_is_worth_most_and_a_scor
     ASSERT_NE(best, nullptr);
     EXPECT_EQ(best->rule, "degenerate-space");
     EXPECT_GT(best->worth, 1);
-    const auto clips_of_bench = [](const Workbench& b) { return -static_cast<double>(b.project.clips.size()); };
-    rank_placeholders(bench, clips_of_bench);
-    for (const Placeholder& placeholder : bench.project.placeholders) EXPECT_GE(placeholder.worth, 1);
+}
+
+TEST(rank_placeholders, what_the_probe_found_wrong_goes_before_findings) {
+    Folder folder;
+    std::vector<std::string> warnings;
+    DefaultSet set = make_default_set();
+    std::vector<Motion> clips;
+    for (Motion& motion : set.clips)
+        if (motion.name == "idle" || motion.name == "walk" || motion.name == "turn_left" || motion.name == "turn_right")
+            clips.push_back(motion);
+    author_motions(clips, folder.path, options(false));
+    Workbench bench = load_workbench(folder.path, warnings);
+    for (const Placeholder& placeholder : bench.project.placeholders) EXPECT_EQ(placeholder.probe_gain, 0);
+    // Every blend that turns left is wrong; nothing else is.
+    ProjectSpace& space = bench.project.spaces.front();
+    ProbeSpace probe;
+    probe.name = space.name;
+    for (const Axis& axis : space.space.axes) probe.axes.push_back({axis.name, axis.unit, axis.low, axis.high, 9});
+    std::vector<int> index(probe.axes.size());
+    do {
+        ProbeCell cell;
+        cell.grid = index;
+        cell.standing = 1;
+        for (std::size_t k = 0; k < index.size(); ++k) cell.at.push_back(grid_value(probe.axes[k], index[k]));
+        if (cell.at[1] > 0) cell.blend[ProbeFigure::speed] = 10;
+        probe.cells.push_back(cell);
+    } while (next_grid_point(index, probe.axes));
+    bench.project.probe.spaces = {probe};
+    std::vector<Placeholder>& wanted = bench.project.placeholders;
+    wanted.clear();
+    for (const float turn : {-45.0f, 45.0f}) {
+        Placeholder placeholder;
+        placeholder.space = space.name, placeholder.text = turn > 0 ? "left" : "right";
+        placeholder.axes = {"speed", "turn"},
+        placeholder.target = {turn > 0 ? 0.7f : 0.71f, turn > 0 ? turn : turn + 20};
+        wanted.push_back(placeholder);
+    }
+    rank_placeholders(bench);
+    ASSERT_NE(most_wanted(bench.project), nullptr);
+    EXPECT_EQ(most_wanted(bench.project)->text, "left");
+    EXPECT_GT(wanted[1].probe_gain, wanted[0].probe_gain + 0.02f);
 }
 
 TEST(make_clip, marks_are_one_cycle_of_alternating_feet) {
