@@ -214,8 +214,10 @@ std::optional<Workbench> try_plan(const Workbench& bench, const Finding& finding
     }
     const double now = findings_weight(trial.project, k_error_weight);
     const double was = findings_weight(bench.project, k_error_weight);
-    if ((gain == Gain::fewer_findings ? now >= was : now > was) ||
-        count_at_least(trial.project, Severity::warning) > count_at_least(bench.project, Severity::warning)) {
+    // What a space lacks shows only once it has its dimensions: opening one is judged by weight alone.
+    const bool more = finding.rule != "degenerate-space" && count_at_least(trial.project, Severity::warning) >
+                                                                count_at_least(bench.project, Severity::warning);
+    if ((gain == Gain::fewer_findings ? now >= was : now > was) || more) {
         why = "it would bring as many findings as it mends";
         return {};
     }

@@ -269,43 +269,79 @@ const Source* walk_of(const std::vector<Source>& all) {
     return best;
 }
 
-/// A walk and its reverse, half and half, tread on the spot; with their feet held there and bent, they turn.
-void make_turns_on_the_spot(Planner& planner, const std::string& walk, float rate) {
+std::string idle_of(const std::vector<Source>& all) {
+    const auto idle = std::find_if(all.begin(), all.end(), [](const Source& s) { return is_idle(s.clip->facts); });
+    return idle != all.end() ? idle->clip->name : "";
+}
+
+/// A walk and its reverse, half and half, tread on the spot; with their feet held there and bent, they turn. Edges from
+/// `idle` (empty: there is none) keep what goes forward apart from what goes backward. Returns the reverse, which is
+/// left out unless the plan keeps it.
+std::string make_turns_on_the_spot(Planner& planner, const std::string& space, const std::string& walk,
+                                   const std::string& idle, float rate, bool keep_reverse) {
     const std::string back = planner.make("reverse", {walk}, {});
     const std::string mixed = planner.make("interpolate", {walk, back}, {{"weight_0", 0.5}, {"weight_1", 0.5}});
     const std::string treading = planner.make("plant", {mixed}, {});
     const std::vector<Axis> axes{make_axis("speed"), make_axis("turn")};
     for (const float side : {1.0f, -1.0f}) {
-        planner.make("steer", {treading}, {{"turn_deg_s", side * rate}, {"forward_mps", 0.0}, {"lateral_mps", 0.0}});
+        const std::string turn = planner.make(
+            "steer", {treading}, {{"turn_deg_s", side * rate}, {"forward_mps", 0.0}, {"lateral_mps", 0.0}});
         const float place[] = {0, side * rate};
         planner.expect(axes, place);
+        if (!idle.empty()) planner.lock(space, idle, turn);
     }
     for (const std::string& ingredient : {back, mixed, treading})
-        planner.exclude(ingredient, "only made to make turns on the spot of it");
+        if (ingredient != back || !keep_reverse)
+            planner.exclude(ingredient, "only made to make turns on the spot of it");
+    return back;
 }
 
-/// Turns that nobody recorded, bent from the walk: they open the second dimension of a space that only knows speed.
+bool is_in(const Workbench& bench, const ProjectSpace& space, const ProjectClip& clip) {
+    return std::any_of(space.clips.begin(), space.clips.end(),
+                       [&](int c) { return bench.project.clips[static_cast<std::size_t>(c)].name == clip.name; });
+}
+
+/// Both sides of a straight clip, exactly abreast of it: an edge past it by a hair would cross the axis. Who runs fast
+/// cannot turn fast.
+void bend_to_both_sides(Planner& planner, const std::string& clip, float speed, float most_turn) {
+    constexpr float k_most_sideways = 4;  // [m/s^2] a runner leans by 22 degrees
+    const float turn = std::min(most_turn, k_most_sideways / std::fabs(speed) * k_degrees_per_radian);
+    const std::vector<Axis> axes{make_axis("speed"), make_axis("turn")};
+    for (const float side : {1.0f, -1.0f}) {
+        planner.make("steer", {clip},
+                     {{"turn_deg_s", side * turn}, {"forward_mps", static_cast<double>(speed)}, {"lateral_mps", 0.0}});
+        const float place[] = {speed, side * turn};
+        planner.expect(axes, place);
+    }
+}
+
+/// Turns that nobody recorded, bent from the clips that go straight, the walk alone or all of them: they open the
+/// second dimension of a space that only knows speed. Where nothing goes backward, the reversed walk does.
 void plan_second_dimension(const Workbench& bench, const ProjectSpace& space, std::vector<RepairPlan>& plans) {
     if (space.space.dimensions() != 1 || space.space.axes[0].name != "speed") return;
     const std::vector<Source> all = sources(bench);
     const Source* walk = walk_of(all);
     if (!walk) return;
-    const std::vector<Axis> axes{make_axis("speed"), make_axis("turn")};
-    for (const float rate : {45.0f, 30.0f})
-        for (const bool on_the_spot : {true, false}) {
+    std::vector<Source> straight;
+    bool goes_back = false;
+    for (const Source& source : all)
+        if (!is_idle(source.clip->facts) && is_in(bench, space, *source.clip)) {
+            straight.push_back(source);
+            goes_back |= source.clip->facts.speed < 0;
+        }
+    for (const bool every : {true, false})
+        for (const float turn : {45.0f, 30.0f}) {
             Planner planner(bench);
-            for (const float side : {1.0f, -1.0f}) {
-                // Exactly abreast of the walk: an edge past it by a hair would cross the axis.
-                const float speed = walk->clip->facts.speed;
-                planner.make(
-                    "steer", {walk->clip->name},
-                    {{"turn_deg_s", side * rate}, {"forward_mps", static_cast<double>(speed)}, {"lateral_mps", 0.0}});
-                const float place[] = {speed, side * rate};
-                planner.expect(axes, place);
-            }
-            if (on_the_spot) make_turns_on_the_spot(planner, walk->clip->name, k_spot_turn);
-            plans.push_back(planner.done(fmt::format("turns of {:.0f} deg/s to either side bent from \"{}\"{}", rate,
-                                                     walk->clip->name, on_the_spot ? ", and turns on the spot" : "")));
+            for (const Source& source : every ? straight : std::vector<Source>{*walk})
+                bend_to_both_sides(planner, source.clip->name, source.clip->facts.speed, turn);
+            const bool make_back = every && !goes_back;
+            const std::string back =
+                make_turns_on_the_spot(planner, space.name, walk->clip->name, idle_of(all), k_spot_turn, make_back);
+            if (make_back) bend_to_both_sides(planner, back, -walk->clip->facts.speed, turn);
+            plans.push_back(
+                planner.done(fmt::format("turns of {:.0f} deg/s to either side bent from {}, and turns on the spot{}",
+                                         turn, every ? "all clips that go straight" : "\"" + walk->clip->name + "\"",
+                                         make_back ? ", and the walk played backwards" : "")));
         }
 }
 
@@ -319,7 +355,7 @@ void plan_spot_turns(const Workbench& bench, const ProjectSpace& space, std::spa
     const float rate = std::fabs(target[static_cast<std::size_t>(turn)]);
     if (!walk || rate < 20) return;
     Planner planner(bench);
-    make_turns_on_the_spot(planner, walk->clip->name, rate);
+    make_turns_on_the_spot(planner, space.name, walk->clip->name, idle_of(all), rate, false);
     plans.push_back(
         planner.done(fmt::format("turns on the spot made of \"{}\" and its reverse, half and half", walk->clip->name)));
 }
