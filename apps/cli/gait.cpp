@@ -1,9 +1,12 @@
-// surefoot gait GAIT: what a gait is made of, its controls as a table and as a picture.
+// surefoot gait GAIT: what a gait is made of, its controls as a table and as a picture, and clips of it.
 
+#include "actor.h"
+#include "clip_files.h"
 #include "command.h"
 
+#include <surefoot/author/project.h>
 #include <surefoot/base/error.h>
-#include <surefoot/gait_text/gait.h>
+#include <surefoot/gait_clip/gait_clip.h>
 #include <surefoot/host/files.h>
 
 #include <fmt/format.h>
@@ -20,9 +23,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Options {
-    std::string gait, preset, plot, table;
-    std::vector<std::string> set;
+    std::string gait, preset, plot, table, out, rig = "default";
+    std::vector<std::string> set, roles;
     GaitMoments moments;
+    GaitPlay play;
     bool check = false, json = false;
 };
 
@@ -102,11 +106,43 @@ void describe(const Gait& gait, const std::vector<double>& values) {
     print(fmt::format("\n{} instructions on {} registers\n", gait.program.instructions.size(), gait.program.registers));
 }
 
+/// Writes the gait as a clip of the character asked for, and says what it does.
+void bake(const Gait& gait, const std::vector<double>& values, const Options& options) {
+    const Actor found = read_actor(options.rig, parse_roles(options.roles, "--roles"));
+    const GaitActor actor =
+        make_gait_actor(found.body.skeleton, found.roles, found.body.legs, found.body.shape, options.rig);
+    for (const std::string& control : bind_gait(gait).unknown)
+        std::fprintf(stderr, "%s: the control '%s' moves nothing; docs/gaits.md lists those that do\n",
+                     options.gait.c_str(), control.c_str());
+    GaitPlay play = options.play;
+    play.speed_mps = options.moments.speed_mps;
+    play.turn_deg_s = options.moments.turn_deg_s;
+    play.slope_deg = options.moments.slope_deg;
+    AnalyzedClip clip = play_gait(gait, values, actor, play);
+    if (!options.preset.empty()) clip.motion.name = clip.facts.name = options.preset;
+    const ClipFacts& facts = clip.facts;
+    if (!options.json)
+        print(
+            fmt::format("{}: {:.3f} s, {:.3f} m/s, {:.1f} deg/s, stride {:.3f} m, planted feet slide at {:.2f} cm/s\n",
+                        facts.name, facts.duration, facts.speed, facts.turn, facts.stride, 100 * facts.skate));
+    ProjectClip notes;
+    notes.facts = facts;
+    notes.source = options.gait;
+    notes.provenance = {"the gait \"" + gait.name + "\"" +
+                        (options.preset.empty() ? "" : ", preset \"" + options.preset + "\"")};
+    LoadedClip loaded;
+    loaded.file = facts.name;
+    loaded.extras = clip_extras_json(notes);
+    loaded.motion = std::move(clip.motion);
+    write_clip_file({loaded}, options.out);
+}
+
 int run(const Options& options) {
     if (options.gait == "list") return list(options.json);
     const std::string extension = std::filesystem::path(options.table).extension().string();
     if (!options.table.empty() && extension != ".csv" && extension != ".json")
         throw Error("a table is written as .csv or .json", options.table, "name such a file");
+    if (!options.out.empty()) check_clip_output(options.out);
     const Gait gait = read(options.gait);
     const std::vector<double> values = gait_values(gait, options.preset, options.set);
     for (const std::string& warning : gait.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
@@ -116,9 +152,10 @@ int run(const Options& options) {
             write_file(options.table, extension == ".csv" ? gait_table_csv(gait, table) : gait_table_json(gait, table));
         if (!options.plot.empty()) write_file(options.plot, gait_table_svg(gait, table));
     }
+    if (!options.out.empty()) bake(gait, values, options);
     if (options.json) {
         print(dumped(described(gait, values)));
-    } else if (options.check || (options.table.empty() && options.plot.empty())) {
+    } else if (options.check || (options.table.empty() && options.plot.empty() && options.out.empty())) {
         describe(gait, values);
     }
     return options.check && !gait.warnings.empty() ? 1 : 0;
@@ -128,7 +165,8 @@ int run(const Options& options) {
 
 extern const Command k_gait;
 const Command k_gait{
-    "gait", "Gaits written as expressions: check one, its controls as a table or a picture", [](CLI::App& app) {
+    "gait", "Gaits written as expressions: check one, its controls as a table or a picture, clips of it",
+    [](CLI::App& app) {
         auto options = std::make_shared<Options>();
         app.add_option("GAIT", options->gait, "A .gait file, the name of a bundled gait, or 'list' for their names")
             ->required();
@@ -137,6 +175,14 @@ const Command k_gait{
         app.add_option("-p,--set", options->set, "Set a parameter, name=value (may be repeated)")
             ->type_name("NAME=VALUE")
             ->allow_extra_args(false);
+        app.add_option("-o,--output", options->out, "Write it as a clip with root motion, .glb or .bvh");
+        app.add_option("--rig", options->rig, "Whose clip: a file with a character, or 'default'");
+        app.add_option("--roles", options->roles, "Joints of the rig by hand, as left_foot=Foot_L (repeatable)")
+            ->allow_extra_args(false);
+        app.add_option("--fps", options->play.fps, "Frames a second of the clip (default 60)")
+            ->check(CLI::Range(10.0, 240.0))
+            ->check(is_number);
+        app.add_option("--cycles", options->play.cycles, "Cycles in the clip (default 1)")->check(CLI::Range(1, 1000));
         app.add_option("--plot", options->plot, "Draw every control over a period, .svg");
         app.add_option("--table,--controls", options->table, "Write every control over a period, .csv or .json");
         app.add_option("--frames", options->moments.frames, "Rows at 24 a second instead of one period in 96 steps")

@@ -2,33 +2,10 @@
 // The kernels' one text, instantiated for each instruction set and for the scalar twin (kernels_*.cpp).
 
 #include <surefoot/clip/kernels.h>
-#include <surefoot/math/lanes.h>
+#include <surefoot/math/lanes_rigid.h>
 
 namespace surefoot {
 inline namespace SUREFOOT_KERNELS {
-
-template <class T>
-struct Quat8 {
-    Float8<T> x, y, z, w;
-};
-template <class T>
-struct Vec8 {
-    Float8<T> x, y, z;
-};
-
-// The operations of math/quat.h and transform.h in the same order, so that eight characters at once get the very bits
-// that one alone gets.
-template <class T>
-SUREFOOT_INLINE Quat8<T> multiply(const Quat8<T>& a, const Quat8<T>& b) noexcept {
-    return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
-            a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
-}
-template <class T>
-SUREFOOT_INLINE Vec8<T> rotate(const Quat8<T>& q, const Vec8<T>& v) noexcept {
-    const Vec8<T> t{2.0f * (q.y * v.z - q.z * v.y), 2.0f * (q.z * v.x - q.x * v.z), 2.0f * (q.x * v.y - q.y * v.x)};
-    return {(v.x + q.w * t.x) + (q.y * t.z - q.z * t.y), (v.y + q.w * t.y) + (q.z * t.x - q.x * t.z),
-            (v.z + q.w * t.z) + (q.x * t.y - q.y * t.x)};
-}
 
 // Values are q * 32767, so a sum shorter than one unit is no rotation: opposite keys have cancelled out.
 inline constexpr float k_least_square = 1.0f;

@@ -1,6 +1,7 @@
 #include <surefoot/motion/root_motion.h>
 #include <surefoot/motion/stance.h>
 
+#include <algorithm>
 #include <array>
 
 namespace surefoot {
@@ -105,6 +106,24 @@ std::vector<Quat> t_stance(const Skeleton& skeleton, const RoleMap& roles, const
         rotations.push_back(normalized(stance.turn.back() * stance.shape[at(j)].rotation));
     }
     return rotations;
+}
+
+std::vector<Transform> standing_pose(const Skeleton& skeleton, const RoleMap& roles, const Legs& legs,
+                                     std::span<const Transform> shape) {
+    const std::vector<Quat> turned = t_stance(skeleton, roles, legs, shape);
+    std::vector<Transform> pose(skeleton.rest.size());
+    for (int j = 0; j < skeleton.joint_count(); ++j) {
+        const int parent = skeleton.parents[at(j)];
+        const Vec3 offset = skeleton.rest[at(j)].translation;
+        pose[at(j)].rotation = turned[at(j)];
+        pose[at(j)].translation =
+            parent == k_no_joint ? offset : pose[at(parent)].translation + rotate(turned[at(parent)], offset);
+    }
+    float floor = 1e30f;
+    for (const Leg& leg : legs.side) floor = std::min(floor, transform_point(pose[at(leg.foot)], leg.heel).y);
+    const Vec3 hips = lerp(pose[at(legs.side[0].upper)].translation, pose[at(legs.side[1].upper)].translation, 0.5f);
+    for (Transform& joint : pose) joint.translation -= Vec3{hips.x, floor, hips.z};
+    return pose;
 }
 
 }  // namespace surefoot

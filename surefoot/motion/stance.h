@@ -13,4 +13,8 @@ namespace surefoot {
 std::vector<Quat> t_stance(const Skeleton& skeleton, const RoleMap& roles, const Legs& legs,
                            std::span<const Transform> shape);
 
+/// The same as model transforms, with the bones' own lengths: the lower sole on y = 0, the hip joints over the origin.
+std::vector<Transform> standing_pose(const Skeleton& skeleton, const RoleMap& roles, const Legs& legs,
+                                     std::span<const Transform> shape);
+
 }  // namespace surefoot
