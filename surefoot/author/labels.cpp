@@ -6,6 +6,15 @@
 
 namespace surefoot {
 
+std::string shortened(const std::string& name, std::size_t longest) {
+    if (name.size() <= longest) return name;
+    const auto is_inside = [&](std::size_t at) { return (static_cast<unsigned char>(name[at]) & 0xc0u) == 0x80u; };
+    std::size_t head = longest / 2, tail = name.size() - (longest - 1 - head);
+    while (head > 0 && is_inside(head)) --head;
+    while (tail < name.size() && is_inside(tail)) ++tail;
+    return name.substr(0, head) + "\xe2\x80\xa6" + name.substr(tail);
+}
+
 double Box::overlap(const Box& other) const {
     const double w = std::min(right, other.right) - std::max(left, other.left);
     const double h = std::min(bottom, other.bottom) - std::max(top, other.top);

@@ -31,6 +31,9 @@ struct Segment {
     double x0, y0, x1, y1;
 };
 
+/// A name of at most that many characters: what names differ in stands mostly at their ends, so the middle goes.
+std::string shortened(const std::string& name, std::size_t longest);
+
 /// Width of a text in a sans-serif font, near enough for layout.
 double text_width(const std::string& text, double font_size);
 

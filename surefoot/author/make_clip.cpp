@@ -124,6 +124,7 @@ std::string plain_name(const RepairStep& step) {
         if (std::fabs(turn) < 0.5) return from + "_straight";
         return from + fmt::format("_{}_{:.0f}", turn > 0 ? "left" : "right", std::fabs(turn));
     }
+    if (step.clips.size() == 2 && step.clips[1] == from + "_reversed") return from + "_treading";
     std::string name = "mix";
     for (const std::string& clip : step.clips) name += "_" + clip;
     constexpr std::size_t k_longest = 60;

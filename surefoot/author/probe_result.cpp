@@ -109,7 +109,8 @@ std::string describe_cell(const ProbeSpace& space, const ProbeCell& cell) {
     for (std::size_t k = 0; k < cell.at.size(); ++k)
         text += fmt::format("{}{} {}", k ? ", " : "", number(cell.at[k], 2), space.axes[k].unit);
     text += " (";
-    for (std::size_t i = 0; i < cell.shares.size(); ++i)
+    constexpr float k_seen = 0.005f;  // heaviest first: what is less rounds to nothing
+    for (std::size_t i = 0; i < cell.shares.size() && (i == 0 || cell.shares[i].weight >= k_seen); ++i)
         text += fmt::format("{}{} {:.0f} %", i ? ", " : "", space.clips[static_cast<std::size_t>(cell.shares[i].clip)],
                             100 * cell.shares[i].weight);
     return text + ")";

@@ -21,7 +21,8 @@ namespace {
 constexpr const char* k_scale[] = {"#00224e", "#123570", "#3b496c", "#575d6d", "#707173",
                                    "#8a8678", "#a59c74", "#c3b369", "#e1cc55", "#fee838"};
 constexpr int k_steps = static_cast<int>(std::size(k_scale));
-constexpr double k_left = 46, k_right = 8, k_top = 8, k_bottom = 34, k_width = 330, k_height = 250;  // [px]
+constexpr double k_left = 46, k_right = 8, k_top = 8, k_bottom = 34, k_width = 330;  // [px]
+constexpr double k_height = 250, k_flat_height = 90;                                 // [px]
 
 /// A figure as something that is better the smaller it is.
 struct Heat {
@@ -55,6 +56,23 @@ bool is_measured(const ProbeCell& cell, const Heat& heat) {
     return cell.standing > 0 && std::isfinite(cell.blend[heat.figure]) && std::isfinite(heat.badness(cell));
 }
 
+struct Summary {
+    double mean = 0;
+    const ProbeCell* worst = nullptr;  ///< null where nothing could be measured
+};
+
+Summary summarise(const ProbeSpace& space, const Heat& heat) {
+    Summary result;
+    int measured = 0;
+    for (const ProbeCell& cell : space.cells) {
+        if (!is_measured(cell, heat)) continue;
+        result.mean += heat.badness(cell), ++measured;
+        if (result.worst == nullptr || heat.badness(cell) > heat.badness(*result.worst)) result.worst = &cell;
+    }
+    if (measured > 0) result.mean /= measured;
+    return result;
+}
+
 const ProbeSpace* space_of(const ProbeResult* result, const std::string& name) {
     if (result == nullptr) return nullptr;
     for (const ProbeSpace& space : result->spaces)
@@ -62,11 +80,46 @@ const ProbeSpace* space_of(const ProbeResult* result, const std::string& name) {
     return nullptr;
 }
 
+double step_of(const ProbeAxis& axis) {
+    return axis.points > 1 ? (static_cast<double>(axis.high) - axis.low) / (axis.points - 1) : 1;
+}
+
+/// What a drawing shows: grid points of the axes across and up, and room for half a cell beyond the outermost.
+struct Window {
+    double low_x = 0, high_x = 1, room_x = 0;
+    double low_y = 0, high_y = 1, room_y = 0;
+};
+
+int across_slot(const ProbeSpace& space) { return space.axes.size() > 1 ? 1 : 0; }
+
+Window window_of(const ProbeSpace& space) {
+    const ProbeAxis& across = space.axes[static_cast<std::size_t>(across_slot(space))];
+    Window window{across.low, across.high, 0.5 * step_of(across), 0, 1, 0};
+    if (space.axes.size() < 2) return window;
+    const ProbeAxis& up = space.axes[0];
+    window.low_y = up.low, window.high_y = up.high, window.room_y = 0.5 * step_of(up);
+    return window;
+}
+
+/// Room for both, so that places can be compared by eye.
+Window window_of(const ProbeSpace& a, const ProbeSpace& b) {
+    const Window first = window_of(a), second = window_of(b);
+    return {std::min(first.low_x, second.low_x),   std::max(first.high_x, second.high_x),
+            std::max(first.room_x, second.room_x), std::min(first.low_y, second.low_y),
+            std::max(first.high_y, second.high_y), std::max(first.room_y, second.room_y)};
+}
+
+bool has_same_axes(const ProbeSpace& a, const ProbeSpace& b) {
+    return std::equal(a.axes.begin(), a.axes.end(), b.axes.begin(), b.axes.end(),
+                      [](const ProbeAxis& x, const ProbeAxis& y) { return x.name == y.name; });
+}
+
 /// The cell that stands for each place of the drawing.
 class HeatMap {
   public:
-    HeatMap(const ProbeSpace& space, const Heat& heat, double full) : space_(space), heat_(heat), full_(full) {
-        across_ = space.axes.size() > 1 ? 1 : 0;
+    HeatMap(const ProbeSpace& space, const Heat& heat, double full, const Window& window)
+        : space_(space), heat_(heat), full_(full), window_(window) {
+        across_ = across_slot(space);
         up_ = space.axes.size() > 1 ? 0 : -1;
         for (const ProbeCell& cell : space.cells) {
             const std::pair<int, int> at{cell.grid[static_cast<std::size_t>(across_)],
@@ -80,7 +133,7 @@ class HeatMap {
     std::string draw() const {
         std::string svg = fmt::format(
             "<svg viewBox=\"0 0 {0:.0f} {1:.0f}\" role=\"img\" aria-label=\"{2}: {3}\"><title>{2}: {3}</title>",
-            k_width, k_height, heat_.title, escape_html(summary()));
+            k_width, height(), heat_.title, escape_html(summary()));
         svg += fmt::format("<rect class=\"heat-frame\" x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{:.1f}\"/>", k_left,
                            k_top, plot_width(), plot_height());
         for (const auto& [at, cell] : shown_) svg += rectangle(at, *cell);
@@ -89,41 +142,48 @@ class HeatMap {
     }
 
     std::string summary() const {
-        double sum = 0;
-        int measured = 0;
-        for (const ProbeCell& cell : space_.cells)
-            if (is_measured(cell, heat_)) sum += heat_.badness(cell), ++measured;
-        if (measured == 0) return "nothing could be measured";
-        return fmt::format("mean {:.{}f}, worst {:.{}f} {} at {}", sum / measured, heat_.decimals,
-                           heat_.badness(*worst_), heat_.decimals, heat_.unit, describe_cell(space_, *worst_));
+        const Summary of = summarise(space_, heat_);
+        if (of.worst == nullptr) return "nothing could be measured";
+        return fmt::format("mean {:.{}f}, worst {:.{}f} {} at {}", of.mean, heat_.decimals, heat_.badness(*of.worst),
+                           heat_.decimals, heat_.unit, describe_cell(space_, *of.worst));
     }
 
   private:
     double badness(const ProbeCell& cell) const { return is_measured(cell, heat_) ? heat_.badness(cell) : -1; }
+    double height() const { return up_ < 0 ? k_flat_height : k_height; }
     static double plot_width() { return k_width - k_left - k_right; }
-    static double plot_height() { return k_height - k_top - k_bottom; }
+    double plot_height() const { return height() - k_top - k_bottom; }
     const ProbeAxis& axis(int slot) const { return space_.axes[static_cast<std::size_t>(slot)]; }
     /// What goes to the character's left is drawn on the left.
     bool reversed() const { return axis(across_).name == "turn" || axis(across_).name == "lateral"; }
-    double cell_width() const { return plot_width() / std::max(axis(across_).points, 1); }
-    double cell_height() const { return up_ < 0 ? plot_height() : plot_height() / std::max(axis(up_).points, 1); }
-    double left_of(int column) const {
-        return k_left + cell_width() * (reversed() ? axis(across_).points - 1 - column : column);
+    double x(double value) const {
+        const double low = window_.low_x - window_.room_x, high = window_.high_x + window_.room_x;
+        const double share = (value - low) / (high - low);
+        return k_left + plot_width() * (reversed() ? 1 - share : share);
     }
-    double top_of(int row) const { return k_top + plot_height() - cell_height() * (row + 1); }
+    double y(double value) const {
+        const double low = window_.low_y - window_.room_y, high = window_.high_y + window_.room_y;
+        const double share = (value - low) / (high - low);
+        return k_top + plot_height() * (1 - share);
+    }
+    double middle_x(int column) const { return x(grid_value(axis(across_), column)); }
+    double middle_y(int row) const { return up_ < 0 ? y(0.5) : y(grid_value(axis(up_), row)); }
+    double cell_width() const { return std::fabs(x(step_of(axis(across_))) - x(0)); }
+    double cell_height() const { return up_ < 0 ? plot_height() : std::fabs(y(step_of(axis(up_))) - y(0)); }
 
     std::string rectangle(std::pair<int, int> at, const ProbeCell& cell) const {
-        const double x = left_of(at.first), y = top_of(at.second), w = cell_width(), h = cell_height();
+        const double w = cell_width(), h = cell_height();
+        const double left = middle_x(at.first) - 0.5 * w, top = middle_y(at.second) - 0.5 * h;
         const std::string where = escape_html(describe_cell(space_, cell));
         if (!is_measured(cell, heat_))
             return fmt::format(
                 "<path class=\"heat-none\" d=\"M{0:.1f} {1:.1f}l{2:.1f} {3:.1f}m0 -{3:.1f}l-{2:.1f} "
                 "{3:.1f}\"><title>{4}: no foot stands, nothing can be measured</title></path>",
-                x + 0.2 * w, y + 0.2 * h, 0.6 * w, 0.6 * h, where);
+                left + 0.2 * w, top + 0.2 * h, 0.6 * w, 0.6 * h, where);
         return fmt::format(
             "<rect class=\"heat-cell\" fill=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
             "height=\"{:.1f}\"><title>{}: {}</title></rect>",
-            colour(heat_.badness(cell)), x, y, w, h, where, numbers(cell));
+            colour(heat_.badness(cell)), left, top, w, h, where, numbers(cell));
     }
 
     const char* colour(double badness) const {
@@ -146,7 +206,7 @@ class HeatMap {
         std::string svg;
         for (const char* style : {"heat-worst", "heat-worst-core"})
             svg += fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>", style,
-                               left_of(column) + 0.5 * cell_width(), top_of(row) + 0.5 * cell_height(), r);
+                               middle_x(column), middle_y(row), r);
         return svg;
     }
 
@@ -155,26 +215,30 @@ class HeatMap {
             return escape_html(axis.name + (axis.unit.empty() ? "" : ", " + axis.unit));
         };
         const ProbeAxis& across = axis(across_);
-        const double bottom = k_top + plot_height(), right = k_left + plot_width();
-        std::string svg = fmt::format(
-            "<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\">{:g}</text><text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\" "
-            "text-anchor=\"end\">{:g}</text><text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\" "
-            "text-anchor=\"middle\">{}</text>",
-            k_left, bottom + 14, reversed() ? across.high : across.low, right, bottom + 14,
-            reversed() ? across.low : across.high, 0.5 * (k_left + right), bottom + 28, name(across));
+        const double bottom = k_top + plot_height(), middle = k_left + 0.5 * plot_width();
+        const auto tick = [](double at_x, double at_y, const char* anchor, const std::string& text) {
+            return fmt::format("<text class=\"tick\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>", at_x,
+                               at_y, anchor, text);
+        };
+        const auto value = [](double shown) { return fmt::format("{:.4g}", shown); };
+        const double low = window_.low_x, high = window_.high_x;
+        std::string svg = tick(x(low), bottom + 14, "middle", value(low)) +
+                          tick(x(high), bottom + 14, "middle", value(high)) +
+                          tick(middle, bottom + 28, "middle", name(across));
         if (up_ < 0) return svg;
-        return svg + fmt::format(
-                         "<text class=\"tick\" x=\"{0:.1f}\" y=\"{1:.1f}\" text-anchor=\"end\">{2:g}</text><text "
-                         "class=\"tick\" x=\"{0:.1f}\" y=\"{3:.1f}\" text-anchor=\"end\">{4:g}</text><text "
-                         "class=\"tick\" transform=\"translate(13 {5:.1f}) rotate(-90)\" "
-                         "text-anchor=\"middle\">{6}</text>",
-                         k_left - 5, k_top + 10, axis(up_).high, bottom, axis(up_).low, k_top + 0.5 * plot_height(),
-                         name(axis(up_)));
+        const double least = window_.low_y, most = window_.high_y;
+        return svg + tick(k_left - 5, y(most) + 4, "end", value(most)) +
+               tick(k_left - 5, y(least) + 4, "end", value(least)) +
+               fmt::format(
+                   "<text class=\"tick\" transform=\"translate(13 {:.1f}) rotate(-90)\" "
+                   "text-anchor=\"middle\">{}</text>",
+                   k_top + 0.5 * plot_height(), name(axis(up_)));
     }
 
     const ProbeSpace& space_;
     const Heat& heat_;
     double full_;
+    Window window_;
     int across_ = 0, up_ = -1;
     std::map<std::pair<int, int>, const ProbeCell*> shown_;
     const ProbeCell* worst_ = nullptr;
@@ -199,11 +263,38 @@ std::string scale_key(const Heat& heat, double full) {
                      heat.least, heat.decimals, heat.unit, full, heat.decimals, heat.unit);
 }
 
-std::string heat_figure(const ProbeSpace& space, const Heat& heat, double full, const char* when) {
-    const HeatMap map(space, heat, full);
-    return fmt::format("<figure class=\"heat\"><figcaption><b>{}</b>{}<br>{}</figcaption>", heat.title, when,
-                       escape_html(map.summary())) +
-           map.draw() + scale_key(heat, full) + "</figure>\n";
+std::string heat_figure(const ProbeSpace& space, const Heat& heat, double full, const Window& window,
+                        const char* when) {
+    return fmt::format("<figure class=\"heat\"><figcaption><b>{}</b>{}</figcaption>", heat.title, when) +
+           HeatMap(space, heat, full, window).draw() + scale_key(heat, full) + "</figure>\n";
+}
+
+std::string numbers_of(const ProbeSpace& space, const Heat& heat, const char* style) {
+    const Summary of = summarise(space, heat);
+    if (of.worst == nullptr) return fmt::format("<td{0}>\xe2\x80\x93</td><td{0}>\xe2\x80\x93</td>", style);
+    return fmt::format("<td{0}>{1:.{3}f}</td><td{0}>{2:.{3}f}</td>", style, of.mean, heat.badness(*of.worst),
+                       heat.decimals);
+}
+
+/// Mean and worst of each figure in numbers, and where the worst is.
+std::string figures_table(const ProbeSpace& now, const ProbeSpace* before) {
+    std::string html = fmt::format(
+        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Figures of the probe, {}\"><table><thead>"
+        "<tr><th scope=\"col\" class=\"t\">figure</th><th scope=\"col\" class=\"t\">unit</th>",
+        escape_html(now.name));
+    for (const char* when : {"before, ", ""})
+        if (*when == 0 || before != nullptr)
+            html += fmt::format("<th scope=\"col\">{0}mean</th><th scope=\"col\">{0}worst</th>", when);
+    html += "<th scope=\"col\" class=\"t\">where the worst is</th></tr></thead><tbody>\n";
+    for (const Heat& heat : k_heats) {
+        const Summary of = summarise(now, heat);
+        html += fmt::format("<tr><th scope=\"row\" class=\"t\">{}</th><td class=\"t\">{}</td>", heat.title, heat.unit);
+        if (before != nullptr) html += numbers_of(*before, heat, " class=\"before\"");
+        html += numbers_of(now, heat, "") + fmt::format("<td class=\"w\">{}</td></tr>\n",
+                                                        of.worst != nullptr ? escape_html(describe_cell(now, *of.worst))
+                                                                            : "nothing could be measured");
+    }
+    return html + "</tbody></table></div>\n";
 }
 
 }  // namespace
@@ -214,17 +305,20 @@ std::string probe_section(const Project& project, const ProjectSpace& space) {
     const ProbeSpace* now = space_of(&project.probe, space.name);
     if (now == nullptr || now->cells.empty() || now->axes.empty()) return {};
     const ProbeSpace* before = space_of(project.probe_before ? &*project.probe_before : nullptr, space.name);
+    if (before != nullptr && before->axes.empty()) before = nullptr;
     std::string html = fmt::format(
         "<h3>What the blends really do</h3>\n<p>{} blends were played and measured again from their standing feet. The "
-        "ring "
-        "marks the worst; each cell names its numbers and clips under the pointer.{}{}</p>\n<div class=\"heats{}\">\n",
+        "ring marks the worst; each cell names its numbers and clips under the pointer.{}{}</p>\n",
         now->cells.size(), before != nullptr ? " Left: before the repairs; right: as it is now." : "",
-        now->axes.size() > 2 ? " A cell shows the worst over the axes that are not drawn." : "",
-        before != nullptr ? " paired" : "");
+        now->axes.size() > 2 ? " A cell shows the worst over the axes that are not drawn." : "");
+    html += figures_table(*now, before) + fmt::format("<div class=\"heats{}\">\n", before != nullptr ? " paired" : "");
+    const bool comparable = before != nullptr && has_same_axes(*now, *before);
+    const Window window = comparable ? window_of(*now, *before) : window_of(*now);
     for (const Heat& heat : k_heats) {
         const double full = full_scale(heat, *now, before);
-        if (before != nullptr) html += heat_figure(*before, heat, full, ", before");
-        html += heat_figure(*now, heat, full, before != nullptr ? ", now" : "");
+        if (before != nullptr)
+            html += heat_figure(*before, heat, full, comparable ? window : window_of(*before), ", before");
+        html += heat_figure(*now, heat, full, window, before != nullptr ? ", now" : "");
     }
     return html + "</div>\n";
 }

@@ -181,7 +181,7 @@ class SliceChart {
             mark(x(space_.space.samples[i]), y(space_.space.samples[i]), k_mark);
         for (int n = 0; n < slice_.live.count; ++n) {
             const SpacePoint& p = space_.space.samples[slice_.live.samples[n]];
-            requests.push_back({shortened(name(slice_.live.samples[n])), x(p), y(p), k_mark + 1.5, 11.5});
+            requests.push_back({shortened(name(slice_.live.samples[n]), 24), x(p), y(p), k_mark + 1.5, 11.5});
         }
         const Box frame{frame_.left + 2, frame_.top + 2, frame_.width - frame_.right - 2,
                         frame_.height - frame_.bottom - 2};
@@ -219,7 +219,7 @@ class SliceChart {
             add(fmt::format("<rect class=\"live-bar{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"10\"/>\n",
                             weight < 0 ? " less" : "", left, row - 9, std::max(bar, 1.0)));
             add(svg_text("tick", left + 66, row,
-                         fmt::format("{:.0f} %  {}", 100 * weight, shortened(name(slice_.live.samples[n])))));
+                         fmt::format("{:.0f} %  {}", 100 * weight, shortened(name(slice_.live.samples[n]), 24))));
             row += 17;
         }
     }
@@ -227,14 +227,6 @@ class SliceChart {
     std::string place_on(int axis) const {
         return place_or_zero(std::span(space_.space.axes).subspan(static_cast<std::size_t>(axis), 1),
                              std::span(view_.at).subspan(static_cast<std::size_t>(axis), 1));
-    }
-
-    static std::string shortened(const std::string& name) {
-        constexpr std::size_t k_longest = 24;
-        if (name.size() <= k_longest) return name;
-        std::size_t end = k_longest - 2;
-        while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0u) == 0x80u) --end;
-        return name.substr(0, end) + "\xe2\x80\xa6";
     }
 
     const Project& project_;

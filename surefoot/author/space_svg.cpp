@@ -30,6 +30,7 @@ class Chart {
         : project_(project), space_(space) {
         frame_.width = width, frame_.height = height;
         choose_axes();
+        if (is_a_line()) frame_.height = std::min(height, 0.3 * width);
         choose_domain();
     }
 
@@ -79,6 +80,15 @@ class Chart {
             if (name == "forward") frame_.across.low = -1;
             across_slot_ = -1;
         }
+    }
+
+    /// One axis, across, and nothing asked for beside it.
+    bool is_a_line() const {
+        return up_slot_ < 0 && std::none_of(project_.placeholders.begin(), project_.placeholders.end(),
+                                            [&](const Placeholder& placeholder) {
+                                                double x = 0, y = 0;
+                                                return placeholder_at(placeholder, x, y) && y != 0;
+                                            });
     }
 
     void choose_domain() {
@@ -302,13 +312,7 @@ class Chart {
         });
         std::vector<LabelRequest> requests;
         for (const int i : order) {
-            std::string name = project_.clips[space_.clips[i]].name;
-            constexpr std::size_t k_longest = 22;
-            if (name.size() > k_longest) {
-                std::size_t end = k_longest - 2;
-                while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0u) == 0x80u) --end;
-                name = name.substr(0, end) + "\xe2\x80\xa6";
-            }
+            const std::string name = shortened(project_.clips[space_.clips[i]].name, 22);
             requests.push_back({name, sample_x(i), sample_y(i), k_mark, 11.5});
         }
         const Box frame{frame_.left + 2, frame_.top + 2, frame_.width - frame_.right - 2,
