@@ -2,15 +2,20 @@
 //
 //     preview_export FOLDER [CLIPS...]     authors the generated set, or CLIPS, into FOLDER; writes FOLDER/runtime.json
 //     preview_export FOLDER wrong          the same with one joint of one moment put 3 cm away
+//     preview_export FOLDER sliced         the generated set in one space of three dimensions
+//     preview_export FOLDER sliced-wrong   the same with one corner of one slice moved
 //
 // runtime.json: [{"space": 0, "at": [..], "dt", "moments": [{"steps", "weights": {clip: w}, "phase_rate", "root": [x,
 // z, yaw], "joints": {name: [x, y, z]}}]}], joints seen from the root, metres.
+// slices.json: [{"space", "at", "right", "up", "polygons": [[[right, up], ..], ..]}], what the plane along two axes
+// cuts.
 #include <surefoot/author/author.h>
 #include <surefoot/bake/character.h>
 #include <surefoot/base/error.h>
 #include <surefoot/host/files.h>
 #include <surefoot/motion/motion.h>
 #include <surefoot/preset/default_set.h>
+#include <surefoot/space/slice.h>
 
 #include <nlohmann/json.hpp>
 
@@ -94,17 +99,45 @@ std::vector<SpacePoint> points_of(const BlendSpace& space) {
     return points;
 }
 
+/// What every plane along two axes cuts out of a space, near each of its points_of. A plane through samples meets
+/// simplices along whole faces, and whose those are is decided by the last digit: none such.
+void add_slices(const BlendSpace& space, std::size_t index, Json& json) {
+    for (SpacePoint at : points_of(space)) {
+        for (std::size_t d = 0; d < space.axes.size(); ++d)
+            at[d] += 0.0137f * static_cast<float>(d + 1) * (space.axes[d].high - space.axes[d].low);
+        for (int right = 0; right < space.dimensions(); ++right)
+            for (int up = 0; up < right; ++up) {
+                Json polygons = Json::array();
+                for (const SliceCell& cell : slice(space, at, right, up).cells) polygons.push_back(cell.polygon);
+                Json values = Json::array();
+                for (int d = 0; d < space.dimensions(); ++d) values.push_back(at[static_cast<std::size_t>(d)]);
+                json.push_back(
+                    {{"space", index}, {"at", values}, {"right", right}, {"up", up}, {"polygons", polygons}});
+            }
+    }
+}
+
 int run(const std::string& folder, std::vector<std::string> clips) {
-    const bool wrong = clips == std::vector<std::string>{"wrong"};
-    const AuthorResult authored =
-        wrong || clips.empty() ? author_motions(make_default_set().clips, folder) : author_clips(clips, folder);
+    const std::string mode = clips.size() == 1 ? clips[0] : "";
+    const bool wrong = mode == "wrong", sliced = mode == "sliced" || mode == "sliced-wrong";
+    AuthorOptions options;
+    if (sliced) options.axes = {"speed,turn,lateral"};
+    const AuthorResult authored = wrong || sliced || clips.empty()
+                                      ? author_motions(make_default_set().clips, folder, options)
+                                      : author_clips(clips, folder);
     const Character character = bake_character(authored.project, folder);
-    Json json = Json::array();
+    Json json = Json::array(), slices = Json::array();
     for (std::size_t s = 0; s < authored.project.spaces.size(); ++s) {
         const bool sideways = authored.project.spaces[s].name == "lateral";
         const LocomotionSpace& space = sideways ? character.graph.lateral : character.graph.facing;
         for (const SpacePoint& at : points_of(space.space)) json.push_back(play(character, space, s, at));
+        add_slices(space.space, s, slices);
     }
+    if (mode == "sliced-wrong") {
+        Json& corner = slices[0]["polygons"][0][0][0];
+        corner = corner.get<double>() + 10;
+    }
+    write_file(std::filesystem::path(folder) / "slices.json", slices.dump());
     if (wrong) {
         Json& height = json[2]["moments"][3]["joints"].back()[1];
         height = height.get<double>() + 0.03;
