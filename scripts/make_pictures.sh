@@ -23,4 +23,22 @@ done
 "$program" fit gaits/fitted/human.json --speed 1.2 --turn 80 -o "$work/turn.glb" >/dev/null
 node scripts/view_glb.mjs "$work"/{0.5,1,1.4,2,3,4,turn}.glb docs/images/fitted_gaits.jpg \
   --views side,front --columns 8 --size 130 --span 1.95
+# Gaits of expressions: the paper's model, what it leaves for later, and the poses of its figures 2 to 9.
+gait() { "$program" gait "gaits/$1.gait" ${2:+--preset "$2"} -o "$work/$1${2:+_$2}.glb" >/dev/null; }
+for preset in normal_walk crouch_walk limp jog run; do gait bhatti2017 "$preset"; done
+node scripts/view_glb.mjs "$work"/bhatti2017_{normal_walk,crouch_walk,limp,jog,run}.glb docs/images/bhatti2017.jpg \
+  --views side,front --columns 8 --size 130 --span 1.95
+for name in jump cycling stairs climb; do gait "$name"; done
+gait stairs down
+node scripts/view_glb.mjs "$work"/{jump,cycling,stairs,stairs_down,climb}.glb docs/images/more_gaits.jpg \
+  --views side,front --columns 8 --size 130 --span 2.2 --floor off
+poses=(shoulder_height_0_6 shoulder_height_0_2 shoulder_height_0_807 shoulder_forward shoulder_back foot_ground_low
+  foot_ground_high arm_low arm_high arm_front arm_back stride_height normal_walk crouch_walk)
+files=()
+for preset in "${poses[@]}"; do
+  gait bhatti2017 "$preset"
+  files+=("$work/bhatti2017_$preset.glb")
+done
+node scripts/view_glb.mjs "${files[@]}" docs/images/bhatti2017_poses.jpg \
+  --views side --columns 6 --size 120 --span 1.95
 ls -l docs/images

@@ -3,7 +3,7 @@
 // time. For developers who want to look at what they made; the program itself needs none of this.
 //
 //   node scripts/view_glb.mjs IN.glb... OUT.png [--columns 8] [--views side,front,back,left,top,three] [--from 0] [--to 1]
-//                             [--size 220] [--span METRES] [--follow on|off] [--clip NAME] [--bones]
+//                             [--size 220] [--span METRES] [--follow on|off] [--floor on|off] [--clip NAME] [--bones]
 //
 // --from and --to are shares of the animation. Needs node, chromium ($CHROMIUM says where), and three and
 // playwright-core in ./node_modules ($VIEW_MODULES says where): npm install --no-save three playwright-core
@@ -15,7 +15,7 @@ import { createRequire } from 'node:module';
 import { fileURLToPath } from 'node:url';
 
 function parse(argv) {
-    const given = { columns: 8, views: 'side,front', from: 0, to: 1, size: 220, span: 2.1, follow: 'on', clip: '', bones: '' };
+    const given = { columns: 8, views: 'side,front', from: 0, to: 1, size: 220, span: 2.1, follow: 'on', floor: 'on', clip: '', bones: '' };
     const files = [];
     for (let i = 0; i < argv.length; ++i) {
         const key = argv[i].replace(/^--/, '');

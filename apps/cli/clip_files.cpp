@@ -31,14 +31,15 @@ std::vector<std::size_t> foot_joints(const RoleMap& roles) {
     return joints;
 }
 
-/// A body for clips whose skeleton has legs, so that viewers show more than bones. The soles are taken where the higher
-/// foot comes lowest.
-std::optional<Mesh> body_for(const Motion& motion) {
+/// A body for clips whose skeleton has legs, so that viewers show more than bones. Soles that are not known are taken
+/// where the higher foot comes lowest.
+std::optional<Mesh> body_for(const Motion& motion, const Legs& legs) {
     constexpr float k_joint_above_sole = 0.015f;  // metres; a toe joint or tip lies that far inside a foot
     std::vector<Transform> models(static_cast<std::size_t>(motion.joint_count())), standing;
     world_pose(motion, 0, models);
     const RoleMap roles = find_roles(*motion.skeleton, models).roles;
     if (!roles.has_legs()) return {};
+    if (legs.known()) return make_mannequin(motion, roles, legs);
     float least = 0, floor = 0;
     for (int f = 0; f < motion.frame_count(); ++f) {
         world_pose(motion, f, models);
@@ -77,7 +78,7 @@ std::string as_glb(const std::vector<LoadedClip>& clips, const std::string& file
         scene.motions.push_back(clip.motion);
         scene.motion_extras.push_back(clip.extras);
     }
-    if (options.mesh) scene.mesh = body_for(scene.motions.front());
+    if (options.mesh) scene.mesh = body_for(scene.motions.front(), options.legs);
     return write_glb(scene);
 }
 

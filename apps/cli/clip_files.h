@@ -2,6 +2,7 @@
 // How every subcommand that turns clips into clips reads and writes them.
 
 #include <surefoot/io/load.h>
+#include <surefoot/rig/leg.h>
 
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ std::vector<LoadedClip> read_clip_files(const std::string& path, const LoadOptio
 struct WriteOptions {
     std::string rotation_order;  ///< of a BVH; empty: that of the file the clip came from
     bool mesh = true;            ///< a .glb wears a mannequin where the skeleton has legs
+    Legs legs{};                 ///< where its soles are; unknown: found in the first clip
 };
 
 /// Throws Error where the name of a file to write says neither .bvh nor .glb: before long work.

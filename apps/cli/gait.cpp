@@ -134,7 +134,7 @@ void bake(const Gait& gait, const std::vector<double>& values, const Options& op
     loaded.file = facts.name;
     loaded.extras = clip_extras_json(notes);
     loaded.motion = std::move(clip.motion);
-    write_clip_file({loaded}, options.out);
+    write_clip_file({loaded}, options.out, {{}, true, clip.legs});
 }
 
 int run(const Options& options) {

@@ -12,12 +12,14 @@ namespace {
 
 constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-constexpr float k_pelvis_share = 0.3f;     // of the spine's lean that the pelvis makes
-constexpr float k_girdle_above = -0.3f;    // sine of an arm's elevation from which its girdle goes along
-constexpr float k_sink_smoothing = 0.01f;  // [m] for an adult: how softly the hips begin to sink
-constexpr float k_lowest_hip = 0.3f;       // share of a leg's length to which hips sink for a foot at most
-constexpr float k_hand_out = 0.06f;        // share of an arm's length that hanging hands are outside their shoulders
-constexpr float k_elbow_out = 0.45f;       // [rad] elbows of hanging arms point backward and this much outward
+constexpr float k_pelvis_share = 0.3f;       // of the spine's lean that the pelvis makes
+constexpr float k_girdle_above = -0.3f;      // sine of an arm's elevation from which its girdle goes along
+constexpr float k_sink_smoothing = 0.01f;    // [m] for an adult: how softly the hips begin to sink
+constexpr float k_lowest_hip = 0.3f;         // share of a leg's length to which hips sink for a foot at most
+constexpr float k_airborne = 0.12f;          // [m] for an adult: lift from which a foot no longer pulls at the hips
+constexpr float k_airborne_stretch = 0.95f;  // share of its length from which a leg in the air resists stretching
+constexpr float k_hand_out = 0.06f;          // share of an arm's length that hanging hands are outside their shoulders
+constexpr float k_elbow_out = 0.45f;         // [rad] elbows of hanging arms point backward and this much outward
 
 template <class T>
 SUREFOOT_INLINE Vec8<T> normalized(const Vec8<T>& v) noexcept {
@@ -67,23 +69,31 @@ SUREFOOT_INLINE Float8<T> smooth_excess(Float8<T> a, Float8<T> b, float width) n
     return smooth_max(smooth_max(a, b), Float8<T>::splat(0));
 }
 
+/// 0 up to 0, 1 from 1, smooth between.
+template <class T>
+SUREFOOT_INLINE Float8<T> smooth(Float8<T> x) noexcept {
+    const Float8<T> share = clamp(x, 0.0f, 1.0f);
+    return share * share * (3.0f - 2.0f * share);
+}
+
 /// A limb's solution: the directions of its bones, and of their fronts.
 template <class T>
 struct Bent {
     Vec8<T> upper, lower, upper_front, lower_front;
 };
 
-/// `bend`: unit, the direction in which the hinge points for a limb that hangs straight down; carried along with it.
-/// `front` is 1 where a limb's front faces as its hinge does (knees), -1 where the other way (elbows).
+/// `soft` [m]: from where stretching is resisted. `bend`: unit, the direction in which the hinge points for a limb that
+/// hangs straight down; carried along with it. `front` is 1 where a limb's front faces as its hinge does (knees), -1
+/// where the other way (elbows).
 template <class T>
-SUREFOOT_INLINE Bent<T> bend_limb(const BodyLimb& limb, const Vec8<T>& to_end, const Vec8<T>& bend,
+SUREFOOT_INLINE Bent<T> bend_limb(const BodyLimb& limb, Float8<T> soft, const Vec8<T>& to_end, const Vec8<T>& bend,
                                   float front) noexcept {
     using F = Float8<T>;
     const F wanted = sqrt(dot(to_end, to_end)), one = F::splat(1);
     // As far as the soft limit as asked; beyond, ever slower towards the farthest (smooth in value and slope).
-    const float room = limb.farthest - limb.soft;
-    const F over = max(wanted - limb.soft, F::splat(0)) / room;
-    const F reach = max(min(wanted, F::splat(limb.soft)) + room * (over / (1.0f + over)), F::splat(limb.nearest));
+    const F room = limb.farthest - soft;
+    const F over = max(wanted - soft, F::splat(0)) / room;
+    const F reach = max(min(wanted, soft) + room * (over / (1.0f + over)), F::splat(limb.nearest));
 
     const Vec8<T> down = Vec8<T>::splat({0, -1, 0});
     const Mask8<T> there = wanted > F::splat(1e-6f);
@@ -115,7 +125,8 @@ template <class T>
 struct Step {
     Vec8<T> ankle;
     Quat8<T> foot, toes;
-    Float8<T> heading, lift;  // lift: of the sole over the lowest that it may be
+    Float8<T> heading;
+    Float8<T> lift, air;  // of the sole over the lowest that it may be [m]; 0 on the ground to 1 well above it
 };
 
 template <class T>
@@ -192,8 +203,9 @@ class Solver {
         F slope_sine, slope_cosine;
         sincos(slope, slope_sine, slope_cosine);
         const Vec3 ankle = joint(body_.leg[static_cast<std::size_t>(side)].end).place;
-        const F lift = max(channel(BodyChannel::foot_y, side), channel(BodyChannel::foot_floor, side));
-        step.lift = max(channel(BodyChannel::foot_y, side) - channel(BodyChannel::foot_floor, side), zero);
+        const F floor = channel(BodyChannel::foot_floor, side);
+        const F lift = max(channel(BodyChannel::foot_y, side), floor);
+        step.lift = lift - floor;
         const F turned = channel(BodyChannel::foot_turned, side);
         const F aside = ankle.x + channel(BodyChannel::foot_x, side),
                 ahead = ankle.z + channel(BodyChannel::foot_z, side);
@@ -207,9 +219,9 @@ class Solver {
         const Q flat = multiply(tilt, yaw_roll_pitch(step.heading, channel(BodyChannel::foot_rz, side), zero));
         const F pitch = clamp(channel(BodyChannel::foot_rx, side), -1.2f, 1.4f);
         step.foot = multiply(flat, turn_about(across, pitch));
-        // Toes hang by what their tip has room for.
-        const F room = asin(clamp(step.lift / foot.toe_length, 0.0f, 1.0f));
-        const F on_ground = min(pitch, room);
+        // Toes hang the more the higher the foot is, and always less than their tip has room for.
+        const F hang = smooth(step.lift / (2.5f * foot.toe_length));
+        const F on_ground = min(pitch, pitch * hang);
         const F raised =
             atan2(channel(BodyChannel::toe_y, side), F::splat(foot.toe_length)) - channel(BodyChannel::toe_rx, side);
         const F bend = min(max(pitch - on_ground + raised, F::splat(-foot.toes_down)), F::splat(foot.toes_up));
@@ -227,7 +239,7 @@ class Solver {
         const F lowest = min(min(dot(rotate(step.foot, V::splat(foot.heel)), normal),
                                  dot(rotate(step.foot, V::splat(foot.ball)), normal)),
                              dot(tip, normal));
-        const F dip = lift * slope_cosine - (dot(step.ankle, normal) + lowest);
+        const F dip = floor * slope_cosine - (dot(step.ankle, normal) + lowest);
         step.ankle = step.ankle + normal * max(dip, zero);
     }
 
@@ -241,7 +253,10 @@ class Solver {
             const V to = step_[s].ankle - hip;
             const float low = k_lowest_hip * limb.soft;
             const F down = sqrt(max(limb.soft * limb.soft - (to.x * to.x + to.z * to.z), F::splat(low * low)));
-            drop[s] = -to.y - down;
+            // Hips wait for no foot that is well in the air: that one comes as far as it can.
+            step_[s].air = smooth(step_[s].lift / (k_airborne * body_.scale.leg));
+            const F lacks = -to.y - down;
+            drop[s] = lacks - step_[s].air * max(lacks, F::splat(0));
             rise[s] = limb.nearest + to.y - step_[s].lift;
         }
         const float width = k_sink_smoothing * body_.scale.leg;
@@ -284,7 +299,10 @@ class Solver {
         const F heading = 0.5f * (pelvis_yaw_ + step_[s].heading) + channel(BodyChannel::knee_out, side) * outward;
         F sine, cosine;
         sincos(heading, sine, cosine);
-        const Bent<T> bent = bend_limb(limb, step_[s].ankle - carried(limb.upper), V{sine, F::splat(0), cosine}, 1);
+        // A leg in the air need not hold a foot in its place and keeps off full stretch.
+        const F soft = limb.soft - step_[s].air * ((limb.soft - k_airborne_stretch * limb.farthest));
+        const Bent<T> bent =
+            bend_limb(limb, soft, step_[s].ankle - carried(limb.upper), V{sine, F::splat(0), cosine}, 1);
         turn_[limb.upper] = align(limb.upper_bone, bent.upper, bent.upper_front);
         turn_[limb.lower] = align(limb.lower_bone, bent.lower, bent.lower_front);
         turn_[limb.end] = step_[s].foot;
@@ -318,7 +336,7 @@ class Solver {
         const V to{mixed(offset.x, held.x, hold), mixed(offset.y, held.y, hold), mixed(offset.z, held.z, hold)};
         F sine, cosine;
         sincos(k_elbow_out + channel(BodyChannel::elbow_out, side), sine, cosine);
-        const Bent<T> bent = bend_limb(limb, to, V{left * sine, F::splat(0), -cosine}, -1);
+        const Bent<T> bent = bend_limb(limb, F::splat(limb.soft), to, V{left * sine, F::splat(0), -cosine}, -1);
         turn_[limb.upper] = align(limb.upper_bone, bent.upper, bent.upper_front);
         turn_[limb.lower] = align(limb.lower_bone, bent.lower, bent.lower_front);
         const Q hanging = Q::splat(body_.hanging[s]);
