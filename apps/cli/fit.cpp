@@ -1,19 +1,16 @@
 // surefoot fit CLIPS -o GAIT.json: clips as a few harmonics. surefoot fit GAIT.json -o CLIP.glb: and back.
 
-#include "actor.h"
 #include "clip_files.h"
 #include "command.h"
+#include "fit_clips.h"
+#include "fitted_clips.h"
 
 #include <surefoot/analysis/analyze.h>
-#include <surefoot/analysis/leg_track.h>
 #include <surefoot/author/gait_file.h>
-#include <surefoot/author/project.h>
 #include <surefoot/base/error.h>
+#include <surefoot/fit/derive.h>
 #include <surefoot/fit/fit_gait.h>
 #include <surefoot/host/files.h>
-#include <surefoot/host/parallel.h>
-#include <surefoot/io/load.h>
-#include <surefoot/motion/edit.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -28,56 +25,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
-    std::vector<std::string> in, roles;
+struct Options : FitInput {
     std::string out;
     int harmonics = 5, foot_harmonics = 10;
-    bool family = false, json = false;
-    std::vector<float> speeds, turns;
+    bool family = false, on_the_spot = false, json = false;
+    float travel_deg = 0;
+    std::vector<float> speeds, turns, range, stretch, stairs;
+    bool shift_weight = false;
     float fps = 60;
 };
 
 bool is_gait_file(const std::string& path) { return std::filesystem::path(path).extension() == ".json"; }
-
-std::vector<LoadedClip> load(const Options& options) {
-    LoadResult loaded = load_clips(options.in);
-    for (const LoadFailure& failure : loaded.failed) fmt::print(stderr, "surefoot: {}\n", failure.error);
-    if (loaded.clips.empty()) throw Error("there are no clips to fit", "fit", "give .bvh, .glb, .gltf or .fbx files");
-    return std::move(loaded.clips);
-}
-
-/// What `find` finds in each clip, in order; clips that cannot be measured are told and left out.
-std::vector<AnalyzedClip> cycles_of(const Options& options,
-                                    const std::function<std::vector<AnalyzedClip>(const AnalyzedClip&)>& find) {
-    std::vector<LoadedClip> clips = load(options);
-    const RoleOverrides roles = parse_roles(options.roles, "--roles");
-    std::vector<std::vector<AnalyzedClip>> found(clips.size());
-    std::vector<std::string> failed(clips.size());
-    parallel_for(clips.size(), [&](std::size_t i) {
-        try {
-            found[i] = find(analyze_clip(std::move(clips[i].motion), clips[i].file, clips[i].unit_scale, roles));
-        } catch (const Error& error) {
-            failed[i] = error.what();
-        }
-    });
-    std::vector<AnalyzedClip> cycles;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        if (!failed[i].empty()) fmt::print(stderr, "surefoot: {}\n", failed[i]);
-        for (AnalyzedClip& clip : found[i])
-            if (clip.facts.cyclic && clip.facts.cadence > 0) cycles.push_back(std::move(clip));
-    }
-    if (cycles.empty())
-        throw Error("no cycle of steps was found", options.in.front(), "see what the clips hold: surefoot analyze");
-    return cycles;
-}
-
-/// Mean speed of planted sole points [cm/s] of a cycle played three times, taken in the middle one.
-double skate_of(const AnalyzedClip& clip) {
-    const Motion motion = concatenate(std::vector<Motion>(3, clip.motion));
-    const WalkTrack track = make_track(motion, clip.legs);
-    const auto frames = static_cast<std::size_t>(clip.motion.frame_count() - 1);
-    return measure_skate(track, track, {frames, 2 * frames}).mean_cm_s;
-}
 
 /// What fitting one cycle gives.
 struct CycleFit {
@@ -94,10 +52,6 @@ CycleFit fit_cycle(const AnalyzedClip& clip, const Options& options) {
     return fit;
 }
 
-std::string skate_text(double cm_s) {
-    return std::isnan(cm_s) ? "no measurable speed" : fmt::format("{:.1f} cm/s", cm_s);
-}
-
 void print_fit(const CycleFit& fit) {
     const ClipFacts& facts = fit.clip->facts;
     fmt::print("{}: {:.2f} m/s, {:.1f} deg/s, {:.2f} s\n", facts.name, facts.speed, facts.turn, facts.duration);
@@ -106,7 +60,7 @@ void print_fit(const CycleFit& fit) {
         fmt::print("  {:>9}     {:>6.2f} deg {:>6.2f} deg  {:>6.2f} deg {:<20} {:>4.2f} cm {:>4.2f} cm\n",
                    error.harmonics, error.joint_deg, error.all_joints_deg, error.worst_joint_deg, error.worst_joint,
                    error.ankle_cm, error.ankle_max_cm);
-    fmt::print("  planted feet slide at {}, the clip's at {}\n", skate_text(fit.skate), skate_text(fit.clip_skate));
+    fmt::print("  the gait: {}; the clip: {}\n", skate_text(fit.skate), skate_text(fit.clip_skate));
 }
 
 Json to_json(const FitError& error) {
@@ -192,6 +146,9 @@ void print_family(const HarmonicGait& gait, const FamilyReport& report) {
 int fit_all(const std::vector<AnalyzedClip>& strides, const Options& options) {
     FamilyOptions family;
     family.fit = {options.harmonics, options.foot_harmonics};
+    family.travel_deg = options.travel_deg;
+    family.on_the_spot = options.on_the_spot;
+    if (!options.range.empty()) family.least_speed = options.range[0], family.most_speed = options.range[1];
     FamilyReport report;
     HarmonicGait gait = fit_family(strides, family, &report);
     if (options.json)
@@ -204,24 +161,25 @@ int fit_all(const std::vector<AnalyzedClip>& strides, const Options& options) {
     return 0;
 }
 
-LoadedClip as_clip(AnalyzedClip baked) {
-    ProjectClip notes;
-    notes.facts = baked.facts;
-    notes.source = baked.source;
-    notes.provenance = {fmt::format("the fitted gait \"{}\" at {:.2f} m/s and {:.1f} deg/s", baked.source,
-                                    baked.facts.speed, baked.facts.turn)};
-    LoadedClip clip;
-    clip.file = baked.facts.name;
-    clip.extras = clip_extras_json(notes);
-    clip.motion = std::move(baked.motion);
-    return clip;
+int derive(HarmonicGait gait, const Options& options) {
+    if (!options.stretch.empty()) gait = stretched(gait, options.stretch[0], options.stretch[1]);
+    if (options.shift_weight) gait = shifting_weight(gait);
+    if (!options.stairs.empty()) {
+        Stairs stairs;
+        stairs.riser = options.stairs[0], stairs.tread = options.stairs[1];
+        gait = on_stairs(gait, stairs);
+    }
+    gait.name = std::filesystem::path(options.out).stem().string();
+    write_file(options.out, gait_to_json(gait));
+    return 0;
 }
 
 int bake(const Options& options) {
     if (options.in.size() != 1) throw Error("one gait at a time", "fit", "name one .json file");
     if (options.out.empty()) throw Error("there is no file to write", "fit", "name one: -o walk.glb");
+    HarmonicGait gait = gait_from_json(read_file(options.in.front()), options.in.front());
+    if (is_gait_file(options.out)) return derive(std::move(gait), options);
     check_clip_output(options.out);
-    const HarmonicGait gait = gait_from_json(read_file(options.in.front()), options.in.front());
     std::vector<LoadedClip> clips;
     const std::vector<float> none{0.0f};
     if (!gait.family() && !(options.speeds.empty() && options.turns.empty()))
@@ -234,8 +192,7 @@ int bake(const Options& options) {
             AnalyzedClip baked = bake_gait(gait, speed, turn, options.fps);
             const double skate = skate_of(baked);
             fmt::print("{}: {:.3f} m/s, {:.1f} deg/s, {}\n", baked.facts.name, baked.facts.speed, baked.facts.turn,
-                       std::isnan(skate) ? "no foot stands long enough to be measured"
-                                         : fmt::format("planted feet slide at {:.1f} cm/s", skate));
+                       skate_text(skate));
             clips.push_back(as_clip(std::move(baked)));
         }
     write_clip_file(clips, options.out);
@@ -250,8 +207,8 @@ int run(const Options& options) {
     if (!options.out.empty() && !is_gait_file(options.out))
         throw Error("a gait is written as .json", options.out, "name it so: -o gait.json");
     if (options.family)
-        return fit_all(cycles_of(options, [](const AnalyzedClip& take) { return find_strides(take); }), options);
-    return fit_each(cycles_of(options, find_cycles), options);
+        return fit_all(cycles_to_fit(options, [](const AnalyzedClip& take) { return find_strides(take); }), options);
+    return fit_each(cycles_to_fit(options, find_cycles), options);
 }
 
 }  // namespace
@@ -268,6 +225,27 @@ const Command k_fit{
         app.add_option("-o,--output", options->out, "file to write: the gait as .json, or of a gait its clips as .glb");
         app.add_flag("--family", options->family,
                      "one gait for all speeds and turns, from all cycles of one character");
+        app.add_option("--travel", options->travel_deg,
+                       "which way a family goes, against where it faces: 0 ahead, 90 left, 180 back (default 0)")
+            ->check(CLI::Range(-180.0, 180.0));
+        app.add_option("--range", options->range, "slowest and fastest speed of a family, m/s (default 0.3,5)")
+            ->delimiter(',')
+            ->expected(2)
+            ->check(is_number);
+        app.add_flag("--on-the-spot", options->on_the_spot, "a family of turns on the spot");
+        app.add_flag("--reverse", options->reverse, "the cycles played backwards: walking back from walking ahead");
+        app.add_option("--to", options->to, "character to put the cycles onto: a file, or `default`");
+        app.add_option("--stretch", options->stretch,
+                       "of the gait of one clip a family from this to that speed, m/s (0.3,1.2)")
+            ->delimiter(',')
+            ->expected(2)
+            ->check(is_number);
+        app.add_flag("--shift-weight", options->shift_weight,
+                     "of someone standing: from foot to foot every few breaths");
+        app.add_option("--stairs", options->stairs, "of a family one on stairs: riser (negative: down) and tread, m")
+            ->delimiter(',')
+            ->expected(2)
+            ->check(is_number);
         app.add_flag("--json", options->json, "print the errors as JSON");
         app.add_option("--harmonics", options->harmonics, "of each joint (default 5)")->check(harmonics);
         app.add_option("--foot-harmonics", options->foot_harmonics, "of the feet on the ground (default 10)")

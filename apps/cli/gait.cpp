@@ -3,7 +3,9 @@
 #include "actor.h"
 #include "clip_files.h"
 #include "command.h"
+#include "fitted_clips.h"
 
+#include <surefoot/author/fitted_gaits.h>
 #include <surefoot/author/project.h>
 #include <surefoot/base/error.h>
 #include <surefoot/gait_clip/gait_clip.h>
@@ -28,6 +30,7 @@ struct Options {
     GaitMoments moments;
     GaitPlay play;
     bool check = false, json = false;
+    CLI::Option *speed = nullptr, *turn = nullptr;  // whether they were given
 };
 
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
@@ -54,6 +57,10 @@ int list(bool json) {
         const Gait gait = read_gait(bundled_gait(name), name + ".gait");
         all.push_back({{"name", name}, {"help", gait.help}});
         if (!json) print(fmt::format("{:<24} {}\n", name, gait.help));
+    }
+    for (const NamedGait& gait : fitted_gaits()) {
+        all.push_back({{"name", gait.name}, {"help", gait.help}});
+        if (!json) print(fmt::format("{:<24} {}\n", gait.name, gait.help));
     }
     if (json) print(dumped({{"gaits", all}}));
     return 0;
@@ -137,8 +144,20 @@ void bake(const Gait& gait, const std::vector<double>& values, const Options& op
     write_clip_file({loaded}, options.out, {{}, true, clip.legs});
 }
 
+int run_fitted(const Options& options) {
+    PlayFitted play;
+    play.gait = options.gait, play.out = options.out, play.json = options.json;
+    play.fps = static_cast<float>(options.play.fps), play.cycles = options.play.cycles;
+    if (options.rig != "default") play.rig = options.rig;
+    play.roles = options.roles;
+    if (options.speed->count() > 0) play.speed = static_cast<float>(options.moments.speed_mps);
+    if (options.turn->count() > 0) play.turn = static_cast<float>(options.moments.turn_deg_s);
+    return play_fitted(play);
+}
+
 int run(const Options& options) {
     if (options.gait == "list") return list(options.json);
+    if (is_fitted(options.gait)) return run_fitted(options);
     const std::string extension = std::filesystem::path(options.table).extension().string();
     if (!options.table.empty() && extension != ".csv" && extension != ".json")
         throw Error("a table is written as .csv or .json", options.table, "name such a file");
@@ -165,10 +184,11 @@ int run(const Options& options) {
 
 extern const Command k_gait;
 const Command k_gait{
-    "gait", "Gaits written as expressions: check one, its controls as a table or a picture, clips of it",
+    "gait", "gaits as expressions and as fits to motion: check one, its controls as a table or a picture, clips of it",
     [](CLI::App& app) {
         auto options = std::make_shared<Options>();
-        app.add_option("GAIT", options->gait, "A .gait file, the name of a bundled gait, or 'list' for their names")
+        app.add_option("GAIT", options->gait,
+                       "A .gait file, a fitted gait (.json), the name of a bundled one, or 'list'")
             ->required();
         app.add_flag("--check", options->check, "List parameters, controls and presets; exit code 1 with warnings");
         app.add_option("--preset", options->preset, "Begin with the values of this preset");
@@ -187,12 +207,12 @@ const Command k_gait{
         app.add_option("--table,--controls", options->table, "Write every control over a period, .csv or .json");
         app.add_option("--frames", options->moments.frames, "Rows at 24 a second instead of one period in 96 steps")
             ->check(CLI::Range(1, 1000000));
-        app.add_option("--speed", options->moments.speed_mps, "m/s, for gaits that ask for it")
-            ->check(CLI::Range(-20.0, 20.0))
-            ->check(is_number);
-        app.add_option("--turn", options->moments.turn_deg_s, "deg/s to the left")
-            ->check(CLI::Range(-720.0, 720.0))
-            ->check(is_number);
+        options->speed = app.add_option("--speed", options->moments.speed_mps, "m/s, for gaits that ask for it")
+                             ->check(CLI::Range(-20.0, 20.0))
+                             ->check(is_number);
+        options->turn = app.add_option("--turn", options->moments.turn_deg_s, "deg/s to the left")
+                            ->check(CLI::Range(-720.0, 720.0))
+                            ->check(is_number);
         app.add_option("--slope", options->moments.slope_deg, "Degrees uphill")
             ->check(CLI::Range(-60.0, 60.0))
             ->check(is_number);

@@ -150,6 +150,8 @@ Json basis_json(const GaitBasis& basis) {
     };
     return {{"modes", basis.modes},
             {"degree", basis.degree},
+            {"travel_deg", short_number(basis.travel_deg)},
+            {"climb", short_number(basis.climb)},
             {"speeds_mps", pair({basis.least_speed, basis.most_speed})},
             {"most_turn_deg_s", short_number(basis.most_turn)},
             {"walk_to_run_mps", pair({basis.walk_until, basis.run_from})},
@@ -170,6 +172,8 @@ GaitBasis basis_from(JsonNode node) {
     GaitBasis basis;
     basis.modes = node.at("modes").integer(1, 2);
     basis.degree = node.at("degree").integer(0, 3);
+    if (node.has("travel_deg")) basis.travel_deg = node.at("travel_deg").real();
+    if (node.has("climb")) basis.climb = node.at("climb").real();
     const std::array<float, 2> speeds = pair("speeds_mps"), change = pair("walk_to_run_mps");
     basis.least_speed = speeds[0], basis.most_speed = speeds[1];
     basis.walk_until = change[0], basis.run_from = change[1];

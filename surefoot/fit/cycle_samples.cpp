@@ -65,6 +65,10 @@ class SeriesWriter {
 
 GaitRhythm rhythm_of(const PackedClip& clip) {
     GaitRhythm rhythm;
+    if (clip.cycles == 0) {  // stands; what its feet do does not depend on any stance
+        rhythm.frequency = 1 / clip.duration();
+        return rhythm;
+    }
     rhythm.velocity = clip.velocity;
     rhythm.turn_rate = clip.turn_rate;
     rhythm.frequency = static_cast<float>(clip.cycles) / clip.duration();
@@ -85,8 +89,12 @@ GaitRhythm rhythm_of(const PackedClip& clip) {
 FootSample foot_sample(const PackedClip& clip, const HarmonicGait& gait, std::size_t side, int sample) {
     const int cycle = sample / k_samples;
     const float share = static_cast<float>(sample % k_samples) / k_samples, strike = side == 0 ? 0.0f : 0.5f;
-    const float own = foot_series_phase(share, gait.foot_lift, clip.feet[side].steps[at(cycle)].lift);
-    const FootKey key = foot_key_at(clip, clip.feet[side], time_at(clip, strike + static_cast<float>(cycle) + own));
+    const auto time = [&] {
+        if (clip.cycles == 0) return (share + strike - (share + strike >= 1 ? 1.0f : 0.0f)) * clip.duration();
+        const float own = foot_series_phase(share, gait.foot_lift, clip.feet[side].steps[at(cycle)].lift);
+        return time_at(clip, strike + static_cast<float>(cycle) + own);
+    };
+    const FootKey key = foot_key_at(clip, clip.feet[side], time());
     const LegPaths::Side& leg = gait.legs.side[side];
     return {key.print.rotation, key.toes, transform_point(key.print, leg.heel), transform_point(key.print, leg.ball)};
 }
@@ -99,12 +107,17 @@ PackedClip pack_for_fit(const AnalyzedClip& clip) {
     options.along_travel = travel < 30 || travel > 150;
     options.legs = &clip.legs;
     PackedClip packed = pack_clip(clip.motion, clip.facts, options);
-    if (packed.cycles == 0)
+    if (packed.cycles == 0 && !is_standing(packed))
         throw Error("it is no cycle of steps that alternate between the feet", "clip '" + clip.facts.name + "'",
                     "cut one cycle out of it: surefoot cut, or give the whole take");
     if (packed.feet[0].keys.empty() || packed.feet[1].keys.empty())
         throw Error("its legs are not known", "clip '" + clip.facts.name + "'", "name their joints: --roles");
     return packed;
+}
+
+bool is_standing(const PackedClip& clip) {
+    constexpr float k_still = 0.02f;  // [m/s] and [rad/s]
+    return clip.cycles == 0 && clip.cyclic && length(clip.velocity) < k_still && std::fabs(clip.turn_rate) < k_still;
 }
 
 HarmonicGait gait_of_body(const AnalyzedClip& clip, const FitOptions& options) {
@@ -120,6 +133,12 @@ HarmonicGait gait_of_body(const AnalyzedClip& clip, const FitOptions& options) {
     return gait;
 }
 
+void round_coefficients(HarmonicGait& gait) {
+    constexpr double k_steps = 1e5;
+    for (float& c : gait.coefficients)
+        c = static_cast<float>(std::floor(static_cast<double>(c) * k_steps + 0.5) / k_steps);
+}
+
 float mean_lift(const PackedClip& clip) {
     const GaitRhythm rhythm = rhythm_of(clip);
     return 0.5f * (rhythm.lift[0] + rhythm.lift[1]);
@@ -128,8 +147,9 @@ float mean_lift(const PackedClip& clip) {
 CycleSamples sample_cycles(const PackedClip& clip, const HarmonicGait& gait) {
     CycleSamples samples;
     samples.rhythm = rhythm_of(clip);
-    for (int i = 0; i < k_samples * clip.cycles; ++i) {
-        const Leaf leaf{0, time_at(clip, static_cast<float>(i) / k_samples), 1};
+    for (int i = 0; i < k_samples * std::max(1, clip.cycles); ++i) {
+        const float phase = static_cast<float>(i) / k_samples;
+        const Leaf leaf{0, clip.cycles > 0 ? time_at(clip, phase) : phase * clip.duration(), 1};
         samples.poses.emplace_back(at(clip.joint_count));
         sample_pose(*gait.skeleton, {&clip, 1}, {&leaf, 1}, samples.poses.back());
         for (std::size_t side = 0; side < 2; ++side) samples.feet[side].push_back(foot_sample(clip, gait, side, i));

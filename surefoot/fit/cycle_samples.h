@@ -7,8 +7,11 @@
 namespace surefoot {
 
 /// The clip as its gait is fitted to: seen from a steady root, along its travel where that is nearly ahead.
-/// Throws Error where it has no phase or no legs.
+/// Throws Error where it has no phase, unless it stands, or no legs.
 PackedClip pack_for_fit(const AnalyzedClip& clip);
+
+/// Someone who stands: no steps, and no way to go.
+bool is_standing(const PackedClip& clip);
 
 /// A foot at a moment, seen from the middle of its stance.
 struct FootSample {
@@ -31,6 +34,10 @@ void set_means(HarmonicGait& gait, std::span<const CycleSamples> samples);
 
 /// The numbers of the gait that does as `samples` do (HarmonicGait::coefficients, one term).
 std::vector<float> values_of(const CycleSamples& samples, const HarmonicGait& gait);
+
+/// To the nearest whole hundred-thousandth: a hundredth of a millimetre, and of a milliradian. What is finer is noise,
+/// and half of a file.
+void round_coefficients(HarmonicGait& gait);
 
 /// The frame of a character's skeleton and legs: what all gaits of it begin with.
 HarmonicGait gait_of_body(const AnalyzedClip& clip, const FitOptions& options);

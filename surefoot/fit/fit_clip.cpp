@@ -74,6 +74,7 @@ HarmonicGait fit_clip(const AnalyzedClip& clip, const FitOptions& options) {
     const CycleSamples samples = sample_cycles(packed, gait);
     set_means(gait, {&samples, 1});
     gait.coefficients = values_of(samples, gait);
+    round_coefficients(gait);
     gait.cycles = {{packed.velocity.z, packed.turn_rate * k_degrees_per_radian}};
     return gait;
 }
@@ -87,7 +88,8 @@ FitError measure_fit(const AnalyzedClip& clip, const HarmonicGait& gait, std::sp
         const float time = static_cast<float>(f) / packed.fps;
         const Leaf leaf{0, time, 1};
         sample_pose(*gait.skeleton, {&packed, 1}, {&leaf, 1}, wanted);
-        pose(gait, values, phase_at(packed, time), got, {.feet = false});
+        const float phase = packed.cycles > 0 ? phase_at(packed, time) : time / packed.duration();
+        pose(gait, values, phase, got, {.feet = false});
         sums.add(wanted, got);
     }
     return sums.result();

@@ -12,8 +12,9 @@
 namespace surefoot {
 namespace {
 
-constexpr float k_most_travel = 30;   // [deg] of travel against facing
-constexpr std::size_t k_fewest = 8;   // cycles of a mode
+constexpr float k_most_travel = 30;                      // [deg] of travel against facing
+constexpr std::size_t k_fewest = 8, k_fewest_turns = 3;  // cycles of a mode, and of turns on the spot
+constexpr float k_spot_speed = 0.25f, k_spot_turn = 15;  // [m/s] at most, [deg/s] at least, of turns on the spot
 constexpr float k_walk_lift = 0.55f;  // share of the cycle that a foot stands in the slowest run, about
 
 /// Left and right exchanged, in the events too: nothing needs measuring again.
@@ -25,52 +26,77 @@ AnalyzedClip mirrored(const AnalyzedClip& clip) {
     return result;
 }
 
-std::string why_left_out(const AnalyzedClip& clip, const Skeleton& skeleton) {
+std::string why_left_out(const AnalyzedClip& clip, const Skeleton& skeleton, const FamilyOptions& options) {
+    const ClipFacts& facts = clip.facts;
     if (!(*clip.motion.skeleton == skeleton)) return "it is of another skeleton";
-    if (!clip.facts.cyclic) return "it is no cycle";
-    if (!clip.facts.locomotion) return clip.facts.not_locomotion;
-    if (std::fabs(clip.facts.travel) > k_most_travel && clip.facts.forward < 0.1f) return "it does not go ahead";
-    if (std::fabs(clip.facts.travel) > k_most_travel) return "it goes sideways";
-    return {};
+    if (!facts.cyclic) return "it is no cycle";
+    if (!facts.locomotion) return facts.not_locomotion;
+    if (options.on_the_spot) {
+        const bool turns = std::fabs(facts.speed) < k_spot_speed && std::fabs(facts.turn) > k_spot_turn;
+        return turns ? "" : "it does not turn on the spot";
+    }
+    const float off = std::remainder(facts.travel - options.travel_deg, 360.0f);
+    if (std::fabs(off) <= k_most_travel) return {};
+    return fmt::format("it goes {:.0f} degrees off where the family goes", std::fabs(off));
 }
 
-/// The cycles that a family is made of, each followed by its mirror image.
+/// A mirror image goes where the family goes, unless that is sideways.
+bool has_mirror_images(const FamilyOptions& options) {
+    return options.on_the_spot || options.travel_deg == 0 || std::fabs(options.travel_deg) == 180;
+}
+
+/// What a family is asked for so that it does as the clip does: speed [m/s] and turn [deg/s].
+std::array<float, 2> asked_for(const PackedClip& clip, bool on_the_spot) {
+    return {on_the_spot ? 0.0f : planar_length(clip.velocity), clip.turn_rate * k_degrees_per_radian};
+}
+
+/// The cycles that a family is made of.
 struct Cycles {
     std::vector<const AnalyzedClip*> clips;
-    std::vector<PackedClip> packed;
+    std::vector<PackedClip> packed;        ///< each followed by its mirror image, if the family has them
+    std::size_t images = 2;                ///< packed ones of a clip
+    std::vector<std::array<float, 2>> at;  ///< of each packed one: speed [m/s] and turn [deg/s]
 };
 
-Cycles choose(std::span<const AnalyzedClip> clips, FamilyReport& report) {
+Cycles choose(std::span<const AnalyzedClip> clips, const FamilyOptions& options, FamilyReport& report) {
     Cycles cycles;
+    cycles.images = has_mirror_images(options) ? 2 : 1;
     for (const AnalyzedClip& clip : clips) {
-        std::string reason = why_left_out(clip, *clips.front().motion.skeleton);
+        std::string reason = why_left_out(clip, *clips.front().motion.skeleton, options);
         if (reason.empty()) {
             try {
-                cycles.packed.push_back(pack_for_fit(clip));
-                cycles.packed.push_back(pack_for_fit(mirrored(clip)));
+                if (cycles.packed.push_back(pack_for_fit(clip)); is_standing(cycles.packed.back()))
+                    throw Error("it stands", clip.facts.name, "");
+                if (options.travel_deg != 0 && mean_lift(cycles.packed.back()) <= k_walk_lift)
+                    throw Error("it runs, and runners only go ahead", clip.facts.name, "");
+                if (cycles.images == 2) cycles.packed.push_back(pack_for_fit(mirrored(clip)));
                 cycles.clips.push_back(&clip);
                 continue;
             } catch (const Error& error) {
-                cycles.packed.resize(2 * cycles.clips.size());
+                cycles.packed.resize(cycles.images * cycles.clips.size());
                 reason = error.problem();
             }
         }
         report.left_out.push_back(clip.facts.name + ": " + reason);
     }
+    for (const PackedClip& clip : cycles.packed) cycles.at.push_back(asked_for(clip, options.on_the_spot));
     return cycles;
 }
 
-GaitMode mode_of(const PackedClip& clip) { return mean_lift(clip) > k_walk_lift ? GaitMode::walk : GaitMode::run; }
+GaitMode mode_of(const PackedClip& clip, const FamilyOptions& options) {
+    const bool ahead = options.travel_deg == 0 && !options.on_the_spot;
+    return ahead && mean_lift(clip) <= k_walk_lift ? GaitMode::run : GaitMode::walk;
+}
 
 /// Where the strides of a mode lie: middle and spread of their speeds, so that powers of them are of the size of 1, and
 /// their ends, but for the last few in a hundred, which are the odd ones.
-void set_range(GaitBasis& basis, const std::vector<PackedClip>& clips, GaitMode mode) {
+void set_range(GaitBasis& basis, const Cycles& cycles, const FamilyOptions& options, GaitMode mode) {
     constexpr double k_odd = 0.03;
     std::vector<float> speeds, turns;
-    for (const PackedClip& clip : clips) {
-        if (mode_of(clip) != mode) continue;
-        speeds.push_back(clip.velocity.z);
-        turns.push_back(std::fabs(clip.turn_rate) * k_degrees_per_radian);
+    for (std::size_t i = 0; i < cycles.packed.size(); ++i) {
+        if (mode_of(cycles.packed[i], options) != mode) continue;
+        speeds.push_back(cycles.at[i][0]);
+        turns.push_back(std::fabs(cycles.at[i][1]));
     }
     std::sort(speeds.begin(), speeds.end());
     std::sort(turns.begin(), turns.end());
@@ -88,37 +114,42 @@ void set_range(GaitBasis& basis, const std::vector<PackedClip>& clips, GaitMode 
     basis.fitted_turn[m] = turns[last - odd];
 }
 
-GaitBasis make_basis(const std::vector<PackedClip>& clips, const FamilyOptions& options) {
-    const auto running = static_cast<std::size_t>(std::count_if(
-        clips.begin(), clips.end(), [](const PackedClip& clip) { return mode_of(clip) == GaitMode::run; }));
-    const std::size_t walking = clips.size() - running;
-    if (walking < 2 * k_fewest)
-        throw Error(fmt::format("a family needs {} strides that walk, and there are {}", k_fewest, walking / 2), "fit",
-                    "give more clips or takes of one character");
+GaitBasis make_basis(const Cycles& cycles, const FamilyOptions& options) {
+    const auto running =
+        static_cast<std::size_t>(std::count_if(cycles.packed.begin(), cycles.packed.end(), [&](const PackedClip& clip) {
+            return mode_of(clip, options) == GaitMode::run;
+        }));
+    const std::size_t walking = cycles.packed.size() - running,
+                      fewest = options.on_the_spot ? k_fewest_turns : k_fewest;
+    if (walking < cycles.images * fewest)
+        throw Error(
+            fmt::format("a family needs {} strides that walk, and there are {}", fewest, walking / cycles.images),
+            "fit", "give more clips or takes of one character");
     GaitBasis basis;
-    basis.modes = running >= 2 * k_fewest ? 2 : 1;
+    basis.modes = running >= cycles.images * k_fewest ? 2 : 1;
     basis.degree = options.degree;
-    basis.least_speed = options.least_speed, basis.most_speed = options.most_speed;
+    basis.travel_deg = options.travel_deg;
+    basis.least_speed = options.on_the_spot ? 0 : options.least_speed;
+    basis.most_speed = options.on_the_spot ? 0 : options.most_speed;
     basis.most_turn = options.most_turn;
     basis.walk_until = options.walk_until, basis.run_from = options.run_from;
-    for (int m = 0; m < basis.modes; ++m) set_range(basis, clips, static_cast<GaitMode>(m));
+    for (int m = 0; m < basis.modes; ++m) set_range(basis, cycles, options, static_cast<GaitMode>(m));
     return basis;
 }
 
 /// The coefficients of one mode, behind those that are there.
 void fit_mode(HarmonicGait& gait, const Cycles& cycles, std::span<const CycleSamples> samples, GaitMode mode,
-              double ridge) {
+              const FamilyOptions& options) {
     const auto terms = static_cast<std::size_t>(gait.basis.terms_of_mode());
     RidgeProblem problem(terms, static_cast<std::size_t>(value_count(gait)));
     std::vector<float> powers(terms);
     double all = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        const PackedClip& clip = cycles.packed[i];
-        if (mode_of(clip) != mode) continue;
+        if (mode_of(cycles.packed[i], options) != mode) continue;
         constexpr float k_bent = 0.02f;  // [m] by which closing may move a joint before a stride counts half
-        const float bent = cycles.clips[i / 2]->facts.closing / k_bent;
+        const float bent = cycles.clips[i / cycles.images]->facts.closing / k_bent;
         const double weight = 1 / (1 + static_cast<double>(bent * bent));
-        powers_at(gait.basis, mode, clip.velocity.z, clip.turn_rate * k_degrees_per_radian, powers);
+        powers_at(gait.basis, mode, cycles.at[i][0], cycles.at[i][1], powers);
         problem.add_sample(powers, values_of(samples[i], gait), weight);
         all += weight;
     }
@@ -128,24 +159,23 @@ void fit_mode(HarmonicGait& gait, const Cycles& cycles, std::span<const CycleSam
             // Turns are counted in the widest there are, so that their powers are small numbers already.
             double cost = degree == 0 ? 0.0 : degree == 1 ? 0.05 : 1.0;
             for (int k = 0; k < of_turn; ++k) cost *= 0.2;
-            problem.add_penalty({{term, 1.0}}, ridge * all * cost);
+            problem.add_penalty({{term, 1.0}}, options.ridge * all * cost);
         }
     const std::vector<float> solved = problem.solve();
     gait.coefficients.insert(gait.coefficients.end(), solved.begin(), solved.end());
 }
 
-std::vector<StrideError> stride_errors(const HarmonicGait& gait, const Cycles& cycles) {
+std::vector<StrideError> stride_errors(const HarmonicGait& gait, const Cycles& cycles, const FamilyOptions& options) {
     std::vector<StrideError> errors(cycles.clips.size());
     parallel_for(errors.size(), [&](std::size_t i) {
-        const PackedClip& clip = cycles.packed[2 * i];
-        const float speed = clip.velocity.z, turn = clip.turn_rate * k_degrees_per_radian;
+        const GaitMode mode = mode_of(cycles.packed[cycles.images * i], options);
+        const auto [speed, turn] = cycles.at[cycles.images * i];
         HarmonicGait own = gait;  // in the stride's own mode, whatever the family would do at its speed
-        own.basis.walk_until = mode_of(clip) == GaitMode::walk ? speed + 1 : speed - 2;
+        own.basis.walk_until = mode == GaitMode::walk ? speed + 1 : speed - 2;
         own.basis.run_from = own.basis.walk_until + 1;
         std::vector<float> values(static_cast<std::size_t>(value_count(gait)));
         values_at(own, speed, turn, values);
-        errors[i] = {cycles.clips[i]->facts.name, mode_of(clip), speed, turn,
-                     measure_fit(*cycles.clips[i], own, values)};
+        errors[i] = {cycles.clips[i]->facts.name, mode, speed, turn, measure_fit(*cycles.clips[i], own, values)};
     });
     return errors;
 }
@@ -155,22 +185,22 @@ std::vector<StrideError> stride_errors(const HarmonicGait& gait, const Cycles& c
 HarmonicGait fit_family(std::span<const AnalyzedClip> clips, const FamilyOptions& options, FamilyReport* told) {
     if (clips.empty()) throw Error("there are no clips", "fit", "give clips or takes of one character");
     FamilyReport report;
-    const Cycles cycles = choose(clips, report);
-    const GaitBasis basis = make_basis(cycles.packed, options);
+    const Cycles cycles = choose(clips, options, report);
+    const GaitBasis basis = make_basis(cycles, options);
     HarmonicGait gait = gait_of_body(*cycles.clips.front(), options.fit);
     gait.name = "gait";
     gait.basis = basis;
     gait.foot_lift = 0;
     for (std::size_t i = 0; i < cycles.packed.size(); ++i) {
-        const PackedClip& clip = cycles.packed[i];
-        gait.foot_lift += mean_lift(clip) / static_cast<float>(cycles.packed.size());
-        if (i % 2 == 0) gait.cycles.push_back({clip.velocity.z, clip.turn_rate * k_degrees_per_radian});
+        gait.foot_lift += mean_lift(cycles.packed[i]) / static_cast<float>(cycles.packed.size());
+        if (i % cycles.images == 0) gait.cycles.push_back(cycles.at[i]);
     }
     std::vector<CycleSamples> samples(cycles.packed.size());
     parallel_for(samples.size(), [&](std::size_t i) { samples[i] = sample_cycles(cycles.packed[i], gait); });
     set_means(gait, samples);
-    for (int m = 0; m < basis.modes; ++m) fit_mode(gait, cycles, samples, static_cast<GaitMode>(m), options.ridge);
-    report.strides = stride_errors(gait, cycles);
+    for (int m = 0; m < basis.modes; ++m) fit_mode(gait, cycles, samples, static_cast<GaitMode>(m), options);
+    round_coefficients(gait);
+    report.strides = stride_errors(gait, cycles, options);
     if (told) *told = std::move(report);
     return gait;
 }

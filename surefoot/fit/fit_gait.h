@@ -23,7 +23,8 @@ struct FitOptions {
     int foot_harmonics = 10;  ///< [Limit: 1 to k_most_harmonics] of the feet that hold the ground
 };
 
-/// The gait of one clip. Throws Error where it is no cycle of alternating steps (which says why) or has no legs.
+/// The gait of one clip: a cycle of alternating steps, or someone who stands, whose feet then hold still throughout.
+/// Throws Error where it is neither (which says why) or has no legs.
 HarmonicGait fit_clip(const AnalyzedClip& clip, const FitOptions& options = {});
 
 /// How far a gait is from a clip, over the clip's frames, before the legs are solved for the feet.
@@ -44,6 +45,11 @@ std::vector<FitError> errors_by_harmonics(const AnalyzedClip& clip, int most = 8
 
 struct FamilyOptions {
     FitOptions fit;
+    /// Which way its strides go, seen from where they face: 0 ahead, 90 to the left, 180 back; other strides are left
+    /// out. A family that goes ahead walks and runs, one that does not has one mode.
+    float travel_deg = 0;
+    /// Strides that turn without going anywhere: a family of turns, at the speed 0.
+    bool on_the_spot = false;
     float least_speed = 0.3f, most_speed = 5;  ///< [m/s] of the range over which it is defined
     float most_turn = 120;                     ///< [deg/s]
     int degree = 2;                            ///< of the polynomials
@@ -65,8 +71,9 @@ struct FamilyReport {
 };
 
 /// The family of the cycles among `clips` (find_strides, find_cycles), which share a skeleton: those that step and go
-/// ahead, within 30 degrees of where they face. Cycles in which the feet stand for more than 55 % of the time walk, the
-/// others run. One that closing has bent counts less. Throws Error where fewer than eight walk.
+/// where it goes, within 30 degrees. Cycles in which the feet stand for more than 55 % of the time walk, the others
+/// run. One that closing has bent counts less. Mirror images are added where the family goes ahead, back or nowhere.
+/// Throws Error where fewer than eight walk (of those that turn on the spot, three).
 HarmonicGait fit_family(std::span<const AnalyzedClip> clips, const FamilyOptions& options = {},
                         FamilyReport* report = nullptr);
 

@@ -126,7 +126,10 @@ const char* problem_of_ranges(const GaitBasis& basis) noexcept {
     constexpr float k_most_speed = 20, k_most_turn = 720, k_least_unit = 0.05f;  // [m/s], [deg/s], [m/s]
     const auto is_speed = [](float speed) { return std::fabs(speed) <= k_most_speed; };
     const auto is_range = [&](float least, float most) { return is_speed(least) && is_speed(most) && least < most; };
-    if (!is_range(basis.least_speed, basis.most_speed)) return "the range of speeds is empty or not usable";
+    if (!(std::fabs(basis.travel_deg) <= 180)) return "the direction of travel is not -180 to 180 degrees";
+    if (!(std::fabs(basis.climb) <= 2)) return "it climbs more steeply than anyone can";
+    if (!is_range(basis.least_speed, basis.most_speed) && !(basis.least_speed == 0 && basis.most_speed == 0))
+        return "the range of speeds is empty or not usable";
     if (!(basis.most_turn >= 1 && basis.most_turn <= k_most_turn)) return "the range of turns is not usable";
     if (!is_range(basis.walk_until, basis.run_from)) return "the speeds of walking and running are not usable";
     for (std::size_t m = 0; m < 2; ++m) {
@@ -219,11 +222,14 @@ void values_at(const HarmonicGait& gait, float speed, float turn_deg, std::span<
     }
     float* rhythm = values.data() + values.size() - k_rhythm_values;
     if (gait.family()) {
-        rhythm[0] = rhythm[1] = 0;
-        rhythm[2] = speed;
+        const SinCos travel = sin_cos(static_cast<double>(gait.basis.travel_deg) * k_pi / 180);
+        rhythm[0] = speed * static_cast<float>(travel.sin);
+        rhythm[1] = speed * gait.basis.climb;
+        rhythm[2] = speed * static_cast<float>(travel.cos);
         rhythm[3] = turn_deg * k_radians_per_degree;
     }
-    rhythm[4] = std::clamp(rhythm[4], 0.2f, 4.0f);
+    constexpr float k_slowest_step = 0.2f, k_slowest_breath = 0.02f;  // [Hz]
+    rhythm[4] = std::clamp(rhythm[4], gait.family() ? k_slowest_step : k_slowest_breath, 4.0f);
     rhythm[5] = std::clamp(rhythm[5], 0.2f, 0.8f);
     for (int side = 0; side < 2; ++side) rhythm[6 + side] = std::clamp(rhythm[6 + side], 0.15f, 0.85f);
 }

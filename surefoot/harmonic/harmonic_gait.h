@@ -38,8 +38,10 @@ enum class GaitMode : std::uint8_t { walk, run };
 struct GaitBasis {
     int modes = 1;          ///< 1: a single clip, or a family that only walks; 2: that walks and runs
     int degree = 0;         ///< [Limit: 0 to 3]; 0 with one mode does not depend on speed and turn at all
-    float least_speed = 0;  ///< [m/s] of the range in which a family may be asked to go
-    float most_speed = 1;   ///< [m/s] [Limit: > least_speed]
+    float travel_deg = 0;   ///< which way a family goes, seen from where it faces: 0 ahead, 90 to its left, 180 back
+    float climb = 0;        ///< metres up for a metre along: stairs
+    float least_speed = 0;  ///< [m/s] along its travel: the range in which a family may be asked to go
+    float most_speed = 1;   ///< [m/s] [Limit: >= least_speed]
     float most_turn = 120;  ///< [deg/s] to either side [Limit: > 0]
     /// Where the strides of each mode end: beyond them the body does as at the end, and only the ground passes faster
     /// or slower under it (the feet hold it at any speed). Slowest and fastest [m/s], and widest turn [deg/s].
@@ -98,7 +100,7 @@ void powers_at(const GaitBasis& basis, GaitMode mode, float speed, float turn_de
 /// Share of running at a speed, 0 to 1, with slope 0 at both ends.
 float share_of_running(const GaitBasis& basis, float speed) noexcept;
 
-/// The numbers of the gait at a speed along its facing [m/s] and a turn [deg/s, positive to the left]. A family's root
+/// The numbers of the gait at a speed along its travel [m/s] and a turn [deg/s, positive to the left]. A family's root
 /// then moves exactly so, and its rhythm stays within sane limits however far it is extrapolated; a gait of one clip
 /// has its own speed. Cost: basis.terms() multiply-adds a value.
 void values_at(const HarmonicGait& gait, float speed, float turn_deg, std::span<float> values) noexcept;

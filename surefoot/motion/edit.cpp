@@ -151,6 +151,23 @@ Motion resample(const Motion& motion, float fps) {
     return result;
 }
 
+void untwist(Motion& motion, int joint) {
+    const Skeleton& skeleton = *motion.skeleton;
+    const auto child = std::find(skeleton.parents.begin(), skeleton.parents.end(), joint);
+    if (child == skeleton.parents.end() || std::count(child, skeleton.parents.end(), joint) != 1) return;
+    const std::size_t from = at(joint), to = static_cast<std::size_t>(child - skeleton.parents.begin());
+    const Quat rest = skeleton.rest[from].rotation;
+    const Vec3 bone = skeleton.rest[to].translation;
+    for (int f = 0; f < motion.frame_count(); ++f) {
+        const std::span<Transform> locals = motion.frame(f);
+        const Transform end = locals[from] * locals[to];
+        const Quat turn = conjugate(rest) * locals[from].rotation;
+        locals[from].rotation = normalized(rest * rotation_between(bone, rotate(turn, bone)));
+        locals[to] = {normalized(conjugate(locals[from].rotation) * end.rotation),
+                      rotate(conjugate(locals[from].rotation), end.translation - locals[from].translation)};
+    }
+}
+
 Motion concatenate(std::span<const Motion> parts) {
     if (parts.empty()) throw Error("there is nothing to join", "concatenate", "give at least one clip");
     Motion result = parts[0];

@@ -67,6 +67,11 @@ LoopClosing close_loop(Motion& motion, const LoopOptions& options = {});
 /// root frames go on over the old seam with the cycle's travel added. Clips that are not cyclic come back unchanged.
 Motion rotate_cycle(const Motion& motion, int first_frame);
 
+/// What a joint with one child turns about its own bone, against rest, is taken out of it; the child keeps its place in
+/// model space. Collar bones do not turn so, but captures and retargeting sometimes have them do. Joints with no child
+/// or several stay as they are.
+void untwist(Motion& motion, int joint);
+
 /// Clips of one skeleton and frame rate one after the other: each starts at the root frame where the last one ended
 /// (its first frame replaces the last frame before it). Needs at least one.
 Motion concatenate(std::span<const Motion> parts);

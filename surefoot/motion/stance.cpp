@@ -11,6 +11,9 @@ namespace {
 // the middle of a movement.
 constexpr float k_upright = 12 * k_radians_per_degree;
 
+// [rad] Likewise a collar bone that points farther from sideways: someone has an arm up.
+constexpr float k_level = 45 * k_radians_per_degree;
+
 // Shoulder joints of a standing body lie a little behind its hip joints: 3 to 8 degrees in rigs that rest in a T.
 constexpr Vec3 k_standing_trunk{0, 0.9962f, -0.0872f};
 
@@ -33,6 +36,11 @@ constexpr std::array<Bone, 10> k_bones = {{
     {Role::right_upper_arm, Role::right_lower_arm, -k_left},
     {Role::right_lower_arm, Role::right_hand, -k_left},
     {Role::right_hand, Role::right_middle_proximal, -k_left},
+}};
+
+constexpr std::array<Bone, 2> k_collars = {{
+    {Role::left_shoulder, Role::left_upper_arm, k_left},
+    {Role::right_shoulder, Role::right_upper_arm, -k_left},
 }};
 
 /// Rotation in which a foot stands flat and points straight ahead.
@@ -67,6 +75,13 @@ struct Stance {
         return length(now) > 1e-5f ? normalized(rotation_between(now, bone.direction) * before) : before;
     }
 
+    /// Collar bones are as they rest, unless they rest as no collar bone does.
+    Quat level(Quat before, const Bone& bone) const {
+        const Vec3 now = rotate(before, place(bone.to) - place(bone.from));
+        const bool off = length(now) > 1e-5f && rotation_angle(rotation_between(now, bone.direction)) > k_level;
+        return off ? straighten(before, bone) : before;
+    }
+
     /// Toes lie on the ground with the foot: their tip at the sole's height.
     Quat flat_toes(const Leg& leg, Quat before) const {
         const Quat foot = flat_foot(leg);
@@ -88,6 +103,8 @@ struct Stance {
         }
         for (const Bone& bone : k_bones)
             if (joint == roles[bone.from] && roles.has(bone.to)) return straighten(before, bone);
+        for (const Bone& collar : k_collars)
+            if (joint == roles[collar.from] && roles.has(collar.to)) return level(before, collar);
         return before;
     }
 };

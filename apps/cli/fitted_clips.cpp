@@ -1,0 +1,111 @@
+#include "fitted_clips.h"
+
+#include "actor.h"
+#include "clip_files.h"
+
+#include <surefoot/analysis/leg_track.h>
+#include <surefoot/author/fitted_gaits.h>
+#include <surefoot/author/gait_file.h>
+#include <surefoot/author/project.h>
+#include <surefoot/base/error.h>
+#include <surefoot/fit/fit_gait.h>
+#include <surefoot/host/files.h>
+#include <surefoot/motion/edit.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+
+namespace surefoot::cli {
+namespace {
+
+void describe(const HarmonicGait& gait, const NamedGait* named, bool json) {
+    const GaitBasis& basis = gait.basis;
+    const std::string help = named ? named->help : "a fitted gait";
+    if (json) {
+        nlohmann::ordered_json out = {{"name", named ? named->name : gait.name.c_str()},
+                                      {"help", help},
+                                      {"joints", gait.mean.size()},
+                                      {"harmonics", gait.harmonics},
+                                      {"foot_harmonics", gait.foot_harmonics},
+                                      {"cycles", gait.cycles.size()}};
+        if (gait.family())
+            out.update({{"travel_deg", basis.travel_deg},
+                        {"least_speed_mps", basis.least_speed},
+                        {"most_speed_mps", basis.most_speed},
+                        {"most_turn_deg_s", basis.most_turn}});
+        fmt::print("{}\n", out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+        return;
+    }
+    fmt::print("{}: {}\n  {} joints, {} harmonics each, {} a foot; fitted to {} cycles\n",
+               named ? named->name : gait.name, help, gait.mean.size(), gait.harmonics, gait.foot_harmonics,
+               gait.cycles.size());
+    if (gait.family())
+        fmt::print("  {:g} to {:g} m/s, turns up to {:g} deg/s\n", basis.least_speed, basis.most_speed,
+                   basis.most_turn);
+}
+
+}  // namespace
+
+double skate_of(const AnalyzedClip& clip) {
+    const Motion motion = concatenate(std::vector<Motion>(3, clip.motion));
+    const WalkTrack track = make_track(motion, clip.legs);
+    const auto frames = static_cast<std::size_t>(clip.motion.frame_count() - 1);
+    return measure_skate(track, track, {frames, 2 * frames}).mean_cm_s;
+}
+
+std::string skate_text(double cm_s) {
+    return std::isnan(cm_s) ? "no foot stands long enough to be measured"
+                            : fmt::format("planted feet slide at {:.1f} cm/s", cm_s);
+}
+
+LoadedClip as_clip(AnalyzedClip baked) {
+    ProjectClip notes;
+    notes.facts = baked.facts;
+    notes.source = baked.source;
+    notes.provenance = {fmt::format("the fitted gait \"{}\" at {:.2f} m/s and {:.1f} deg/s", baked.source,
+                                    baked.facts.speed, baked.facts.turn)};
+    LoadedClip clip;
+    clip.file = baked.facts.name;
+    clip.extras = clip_extras_json(notes);
+    clip.motion = std::move(baked.motion);
+    return clip;
+}
+
+bool is_fitted(const std::string& gait) {
+    return std::filesystem::path(gait).extension() == ".json" || find_fitted_gait(gait) != nullptr;
+}
+
+int play_fitted(const PlayFitted& play) {
+    const bool file = std::filesystem::exists(play.gait);
+    const NamedGait* named = file ? nullptr : find_fitted_gait(play.gait);
+    HarmonicGait gait = named ? fitted_gait(play.gait) : gait_from_json(read_file(play.gait), play.gait);
+    if (named) gait.name = named->name;
+    if (play.out.empty()) {
+        describe(gait, named, play.json);
+        return 0;
+    }
+    check_clip_output(play.out);
+    if (!gait.family() && (play.speed || play.turn))
+        throw Error("it is the gait of one clip and has a speed and turn of its own", play.gait,
+                    "leave --speed and --turn out");
+    if (gait.family() && !named && !play.speed)
+        throw Error("a family has no speed of its own", play.gait, "ask for one: --speed 1.4");
+    const float speed = play.speed.value_or(named ? named->speed : 0),
+                turn = play.turn.value_or(named ? named->turn_deg : 0);
+    AnalyzedClip baked = bake_gait(gait, speed, turn, play.fps);
+    fmt::print(stderr, "{}: {:.3f} m/s, {:.1f} deg/s, {}\n", baked.facts.name, baked.facts.speed, baked.facts.turn,
+               skate_text(skate_of(baked)));
+    if (!play.rig.empty()) {
+        const Actor source{{baked.motion.skeleton, baked.roles.roles, baked.legs, {}}, baked.roles, gait.name};
+        baked = retargeted(baked, source, read_actor(play.rig, parse_roles(play.roles, "--roles")));
+    }
+    if (play.cycles > 1)
+        baked.motion = concatenate(std::vector<Motion>(static_cast<std::size_t>(play.cycles), baked.motion));
+    write_clip_file({as_clip(std::move(baked))}, play.out);
+    return 0;
+}
+
+}  // namespace surefoot::cli

@@ -1,0 +1,39 @@
+#pragma once
+// Clips of fitted gaits, as files and in words; and `surefoot gait` of one.
+
+#include <surefoot/analysis/analyze.h>
+#include <surefoot/harmonic/harmonic_gait.h>
+#include <surefoot/io/load.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace surefoot::cli {
+
+/// Mean speed of planted sole points [cm/s] of a cycle played three times, taken in the middle one. NaN where no foot
+/// stands long enough.
+double skate_of(const AnalyzedClip& clip);
+std::string skate_text(double cm_s);
+
+/// A baked gait with its facts as extras.
+LoadedClip as_clip(AnalyzedClip baked);
+
+/// What `surefoot gait` is asked for of a fitted gait.
+struct PlayFitted {
+    std::string gait, out;
+    std::optional<float> speed, turn;  ///< else the gait's own
+    std::string rig;                   ///< character to put it onto; empty: the gait's own
+    std::vector<std::string> roles;    ///< of the rig's joints, by hand
+    float fps = 60;
+    int cycles = 1;
+    bool json = false;
+};
+
+/// A bundled fitted gait, or a file of one (.json).
+bool is_fitted(const std::string& gait);
+
+/// Writes it as a clip where `out` is named, else says what it is. Throws Error.
+int play_fitted(const PlayFitted& play);
+
+}  // namespace surefoot::cli
