@@ -16,13 +16,6 @@ namespace {
 using Excess = std::function<double(const ProbeCell&)>;
 using Message = std::function<std::string(const ProbeCell&)>;
 
-std::string percent_list(const ProbeSpace& space, const ProbeCell& cell) {
-    std::string text;
-    for (const ProbeShare& share : cell.shares)
-        text += fmt::format("{}\"{}\" {:.0f} %", text.empty() ? "" : ", ", space.clips[share.clip], 100 * share.weight);
-    return text;
-}
-
 /// A clip that goes wrong all but alone is to be mended itself; a blend wants a clip where it goes wrong.
 std::optional<Fix> fix_for(const LintContext& context, const Finding& finding, const ProbeCell& cell) {
     constexpr float k_alone = 0.9f;
@@ -60,7 +53,7 @@ void add_findings(LintContext& context, const ProbeSpace& space, const char* rul
         for (const ProbeShare& share : group.worst->shares) finding.clips.push_back(space.clips[share.clip]);
         finding.fix = fix_for(context, finding, *group.worst);
         finding.message = fmt::format("{} ({}; {} of {} blends probed)", message(*group.worst),
-                                      percent_list(space, *group.worst), group.cells, space.cells.size());
+                                      describe_shares(space, *group.worst, "\""), group.cells, space.cells.size());
         context.add(std::move(finding));
     }
 }

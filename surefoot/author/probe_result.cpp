@@ -104,16 +104,21 @@ double skate_ratio(const std::vector<ProbeSpace>& spaces) {
     return skate.cells > 0 ? skate.mean / std::max(skate.source, k_least_skate) : 0;
 }
 
+std::string describe_shares(const ProbeSpace& space, const ProbeCell& cell, const char* quote) {
+    constexpr float k_seen = 0.005f;
+    std::string text;
+    for (const ProbeShare& share : cell.shares)
+        if (text.empty() || share.weight >= k_seen)
+            text += fmt::format("{}{}{}{} {:.0f} %", text.empty() ? "" : ", ", quote,
+                                space.clips[static_cast<std::size_t>(share.clip)], quote, 100 * share.weight);
+    return text;
+}
+
 std::string describe_cell(const ProbeSpace& space, const ProbeCell& cell) {
     std::string text = space.name + ": ";
     for (std::size_t k = 0; k < cell.at.size(); ++k)
         text += fmt::format("{}{} {}", k ? ", " : "", number(cell.at[k], 2), space.axes[k].unit);
-    text += " (";
-    constexpr float k_seen = 0.005f;  // heaviest first: what is less rounds to nothing
-    for (std::size_t i = 0; i < cell.shares.size() && (i == 0 || cell.shares[i].weight >= k_seen); ++i)
-        text += fmt::format("{}{} {:.0f} %", i ? ", " : "", space.clips[static_cast<std::size_t>(cell.shares[i].clip)],
-                            100 * cell.shares[i].weight);
-    return text + ")";
+    return text + " (" + describe_shares(space, cell) + ")";
 }
 
 std::string probe_table(const ProbeResult& result, const ProbeResult* before) {

@@ -102,6 +102,9 @@ int unmeasured_cells(const std::vector<ProbeSpace>& spaces);
 /// 0.1 cm/s counts as that: less cannot be seen.
 double skate_ratio(const std::vector<ProbeSpace>& spaces);
 
+/// "walk 60 %, walk_left 40 %", heaviest first; what rounds to 0 % is left out. `quote` stands around the names.
+std::string describe_shares(const ProbeSpace& space, const ProbeCell& cell, const char* quote = "");
+
 /// "facing: 1.4 m/s, 30 deg/s (walk 60 %, walk_left 40 %)".
 std::string describe_cell(const ProbeSpace& space, const ProbeCell& cell);
 
