@@ -128,12 +128,15 @@ std::string space_section(const Project& project, std::size_t index, bool with_p
                                    escape_html(space.name), escape_html(axes));
     const auto parts = space.space.simplices.size();
     html += fmt::format(
-        "<p>{}, {}. The character is steered by naming a point; it then blends the clips at the corners "
-        "around it. Outside, it takes the nearest point.</p>\n",
+        "<p>{}, {}. {} blends the clips at the corners around it. Outside, it takes the nearest point.</p>\n",
         counted(space.clips.size(), "clip", "clips"),
         space.space.dimensions() == 1   ? counted(parts, "segment", "segments")
         : space.space.dimensions() == 2 ? counted(parts, "triangle", "triangles")
-                                        : counted(parts, "simplex", "simplices"));
+                                        : counted(parts, "simplex", "simplices"),
+        space.name.starts_with(k_style_prefix)
+            ? "Laid over the locomotion by the weight of the style, at the same point: the root goes where the "
+              "locomotion takes it, the poses are more and more these. It"
+            : "The character is steered by naming a point; it then");
     const std::string drawing = space_svg(project, space);
     html += "<figure>\n<div class=\"wide\">" + drawing + "</div><figcaption>" + space_legend(project, space, drawing) +
             "</figcaption>";

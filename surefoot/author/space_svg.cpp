@@ -1,8 +1,8 @@
 // A blend space as a picture: what Figures 1 and 4 of Delicado & Pelechano 2019 show, for any space.
 //
 // The second axis runs across and is turned round, so that what goes to the character's left is drawn on the left; the
-// first runs up. A one-dimensional space is drawn in the plane that it could span, with the missing axis greyed. Every
-// kind of problem has a shape of its own besides its colour.
+// first runs up. A one-dimensional space is a line, or where a clip is asked for beside it the plane that it could
+// span, with the missing axis greyed. Every kind of problem has a shape of its own besides its colour.
 
 #include <surefoot/author/labels.h>
 #include <surefoot/author/place.h>
@@ -30,7 +30,7 @@ class Chart {
         : project_(project), space_(space) {
         frame_.width = width, frame_.height = height;
         choose_axes();
-        if (is_a_line()) frame_.height = std::min(height, 0.3 * width);
+        if (flat_ && up_slot_ < 0 && !asks_beside_the_axis()) frame_.height = std::min(height, 0.3 * width);
         choose_domain();
     }
 
@@ -69,12 +69,13 @@ class Chart {
         }
         flat_ = true;
         const std::string& name = axes[0].name;
-        if (name == "turn" || name == "lateral") {  // the only axis lies across
+        if (name == "turn" || name == "lateral" || !asks_beside_the_axis()) {  // the only axis lies across
             frame_.across = axes[0];
             across_slot_ = 0;
             up_slot_ = -1;
-            frame_.up = make_axis(name == "turn" ? "speed" : "forward");
-            frame_.up.low = name == "turn" ? 0.0f : -1.0f;
+            frame_.up = make_axis(name == "turn" ? "speed" : name == "lateral" ? "forward" : "turn");
+            if (name == "turn") frame_.up.low = 0;
+            if (name == "lateral") frame_.up.low = -1;
         } else {
             frame_.across = make_axis(name == "forward" ? "lateral" : "turn");
             if (name == "forward") frame_.across.low = -1;
@@ -82,13 +83,14 @@ class Chart {
         }
     }
 
-    /// One axis, across, and nothing asked for beside it.
-    bool is_a_line() const {
-        return up_slot_ < 0 && std::none_of(project_.placeholders.begin(), project_.placeholders.end(),
-                                            [&](const Placeholder& placeholder) {
-                                                double x = 0, y = 0;
-                                                return placeholder_at(placeholder, x, y) && y != 0;
-                                            });
+    /// Of a space of one axis: whether a clip is asked for that would open the plane.
+    bool asks_beside_the_axis() const {
+        return std::any_of(project_.placeholders.begin(), project_.placeholders.end(), [&](const Placeholder& asked) {
+            if (asked.space != space_.name) return false;
+            for (std::size_t k = 0; k < asked.axes.size() && k < asked.target.size(); ++k)
+                if (asked.axes[k] != space_.space.axes[0].name && asked.target[k] != 0) return true;
+            return false;
+        });
     }
 
     void choose_domain() {
