@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr int k_side = 10;  // speeds, and turns
 
-Motion two_seconds(const Biped& biped, const GaitParameters& walk, int row, int column) {
+Motion two_seconds(const Rig& biped, const GaitParameters& walk, int row, int column) {
     GaitParameters gait = walk;
     gait.forward = 0.6f + 1.1f * static_cast<float>(row) / (k_side - 1);
     gait.turn = -75 + 150 * static_cast<float>(column) / (k_side - 1);
@@ -78,7 +78,7 @@ class Library {
 
   private:
     fs::path folder_;
-    Biped biped_ = make_biped();
+    Rig biped_ = make_biped();
     GaitParameters walk_;
     int touched_ = 0;
 };

@@ -4,8 +4,10 @@
 //
 //   node scripts/view_glb.mjs IN.glb... OUT.png [--columns 8] [--views side,front,back,left,top,three] [--from 0] [--to 1]
 //                             [--size 220] [--span METRES] [--follow on|off] [--floor on|off] [--clip NAME] [--bones]
+//                             [--across] [--turn "Joint:X,Y,Z;..."]
 //
-// --from and --to are shares of the animation. Needs node, chromium ($CHROMIUM says where), and three and
+// --from and --to are shares of the animation; --across puts files side by side; --turn turns joints by degrees (what does
+// not move is shown as it rests). Needs node, chromium ($CHROMIUM says where), and three and
 // playwright-core in ./node_modules ($VIEW_MODULES says where): npm install --no-save three playwright-core
 import http from 'node:http';
 import fs from 'node:fs';
@@ -15,12 +17,12 @@ import { createRequire } from 'node:module';
 import { fileURLToPath } from 'node:url';
 
 function parse(argv) {
-    const given = { columns: 8, views: 'side,front', from: 0, to: 1, size: 220, span: 2.1, follow: 'on', floor: 'on', clip: '', bones: '' };
+    const given = { columns: 8, views: 'side,front', from: 0, to: 1, size: 220, span: 2.1, follow: 'on', floor: 'on', clip: '', bones: '', across: '', turn: '' };
     const files = [];
     for (let i = 0; i < argv.length; ++i) {
         const key = argv[i].replace(/^--/, '');
         if (argv[i] === key) files.push(argv[i]);
-        else if (key === 'bones') given.bones = 'on';
+        else if (key === 'bones' || key === 'across') given[key] = 'on';
         else if (key in given && i + 1 < argv.length) given[key] = typeof given[key] === 'number' ? Number(argv[++i]) : argv[++i];
         else throw new Error(`unknown option ${argv[i]}`);
     }

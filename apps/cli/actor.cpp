@@ -3,24 +3,26 @@
 #include "clip_files.h"
 
 #include <surefoot/base/error.h>
-#include <surefoot/preset/biped.h>
+#include <surefoot/rig_text/rig_template.h>
+
+#include <filesystem>
 
 namespace surefoot::cli {
 
 namespace {
 
-Actor default_actor() {
-    const Biped biped = make_biped();
-    std::vector<Transform> rest(biped.skeleton->rest.size());
-    local_to_model(*biped.skeleton, biped.skeleton->rest, rest);
-    const Legs legs = make_legs(*biped.skeleton, biped.roles, rest, 0);
-    return {{biped.skeleton, biped.roles, legs, {}}, find_roles(*biped.skeleton, rest), "default"};
+Actor rig_actor(const std::string& name) {
+    const Rig rig = make_rig(name == "default" ? "adult" : name);
+    std::vector<Transform> rest(rig.skeleton->rest.size());
+    local_to_model(*rig.skeleton, rig.skeleton->rest, rest);
+    return {{rig.skeleton, rig.roles, rig.legs, {}}, find_roles(*rig.skeleton, rest), name};
 }
 
 }  // namespace
 
 Actor read_actor(const std::string& name, const RoleOverrides& overrides) {
-    if (name == "default") return default_actor();
+    const bool file = std::filesystem::exists(name);
+    if (name == "default" || (!file && !bundled_rig(name).empty())) return rig_actor(name);
     LoadOptions load;
     load.still = true;
     return actor_in(read_clip_files(name, load), overrides);

@@ -8,8 +8,8 @@
 
 namespace surefoot::cli {
 
-/// The character of a file (FILE or FILE#NAME, with or without animation), or the generated biped where `name` is
-/// "default". Throws Error.
+/// The character of a file (FILE or FILE#NAME, with or without animation), or of a bundled template (`surefoot rig
+/// list`); "default" is the adult. Throws Error.
 Actor read_actor(const std::string& name, const RoleOverrides& overrides = {});
 
 /// Role overrides as "left_foot=Foot_L"; `option` is named where one is no such thing. Throws Error.

@@ -4,6 +4,7 @@
 #include "clip_files.h"
 #include "command.h"
 #include "fitted_clips.h"
+#include "parameters.h"
 
 #include <surefoot/author/fitted_gaits.h>
 #include <surefoot/author/project.h>
@@ -12,7 +13,6 @@
 #include <surefoot/host/files.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <filesystem>
@@ -33,27 +33,11 @@ struct Options {
     CLI::Option *speed = nullptr, *turn = nullptr;  // whether they were given
 };
 
-void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
-
-/// A file, or a gait that the program carries.
-Gait read(const std::string& name) {
-    if (std::filesystem::exists(name))
-        return read_gait(read_file(name, k_max_gait_bytes), name, GaitOutputs::everything);
-    const std::string_view text = bundled_gait(name);
-    if (!text.empty()) return read_gait(text, name + ".gait", GaitOutputs::everything);
-    std::string names;
-    for (const char c : bundled_gait_names()) c == '\n' ? names += ", " : names += c;
-    throw Error("there is no such file and no such gait", name,
-                "name a .gait file or one of: " + names.substr(0, names.size() - 2));
-}
-
-std::string dumped(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+constexpr Bundle k_gaits{"gait", bundled_gait, bundled_gait_names};
 
 int list(bool json) {
     Json all = Json::array();
-    const std::string_view names = bundled_gait_names();
-    for (std::size_t at = 0; at < names.size(); at = names.find('\n', at) + 1) {
-        const std::string name(names.substr(at, names.find('\n', at) - at));
+    for (const std::string& name : k_gaits.list()) {
         const Gait gait = read_gait(bundled_gait(name), name + ".gait");
         all.push_back({{"name", name}, {"help", gait.help}});
         if (!json) print(fmt::format("{:<24} {}\n", name, gait.help));
@@ -62,34 +46,19 @@ int list(bool json) {
         all.push_back({{"name", gait.name}, {"help", gait.help}});
         if (!json) print(fmt::format("{:<24} {}\n", gait.name, gait.help));
     }
-    if (json) print(dumped({{"gaits", all}}));
+    if (json) print_json(Json{{"gaits", all}});
     return 0;
 }
 
-/// Units are the gait's own words, so they stand beside the numbers instead of in the keys.
 Json described(const Gait& gait, const std::vector<double>& values) {
-    Json json{{"name", gait.name}, {"help", gait.help}, {"parameters", Json::array()}, {"outputs", Json::array()}};
-    for (std::size_t i = 0; i < gait.parameters.size(); ++i) {
-        const GaitParameter& p = gait.parameters[i];
-        json["parameters"].push_back({{"name", p.name},
-                                      {"value", values[i]},
-                                      {"default", p.value},
-                                      {"min", p.low},
-                                      {"max", p.high},
-                                      {"unit", p.unit},
-                                      {"group", p.group},
-                                      {"help", p.help}});
-    }
+    Json json{{"name", gait.name},
+              {"help", gait.help},
+              {"parameters", parameters_json(gait.parameters, values)},
+              {"outputs", Json::array()}};
     for (const GaitOutput& output : gait.outputs)
         json["outputs"].push_back(
             {{"name", output.name}, {"control", output.control}, {"unit", output.unit}, {"help", output.help}});
-    json["presets"] = Json::array();
-    for (const GaitPreset& preset : gait.presets) {
-        Json set = Json::object();
-        for (const auto& [parameter, value] : preset.values)
-            set[gait.parameters[static_cast<std::size_t>(parameter)].name] = value;
-        json["presets"].push_back({{"name", preset.name}, {"help", preset.help}, {"values", set}});
-    }
+    json["presets"] = presets_json(gait.presets, gait.parameters);
     json["instructions"] = gait.program.instructions.size();
     json["registers"] = gait.program.registers;
     json["warnings"] = gait.warnings;
@@ -98,18 +67,11 @@ Json described(const Gait& gait, const std::vector<double>& values) {
 
 void describe(const Gait& gait, const std::vector<double>& values) {
     print(fmt::format("{}{}{}\n\n", gait.name, gait.help.empty() ? "" : ": ", gait.help));
-    std::string group = "\n";  // no group is called so
-    for (std::size_t i = 0; i < gait.parameters.size(); ++i) {
-        const GaitParameter& p = gait.parameters[i];
-        if (p.group != group) print((group = p.group).empty() ? "parameters\n" : p.group + "\n");
-        print(fmt::format("  {:<8} {:>8.4g} {:<9} {:>8.4g} to {:<8.4g} {}\n", p.name, values[i], p.unit, p.low, p.high,
-                          p.help));
-    }
+    print_parameters(gait.parameters, values);
     print("\ncontrols\n");
     for (const GaitOutput& output : gait.outputs)
         if (output.control) print(fmt::format("  {:<20} {:<6} {}\n", output.name, output.unit, output.help));
-    if (!gait.presets.empty()) print("\npresets\n");
-    for (const GaitPreset& preset : gait.presets) print(fmt::format("  {:<24} {}\n", preset.name, preset.help));
+    print_presets(gait.presets);
     print(fmt::format("\n{} instructions on {} registers\n", gait.program.instructions.size(), gait.program.registers));
 }
 
@@ -162,7 +124,8 @@ int run(const Options& options) {
     if (!options.table.empty() && extension != ".csv" && extension != ".json")
         throw Error("a table is written as .csv or .json", options.table, "name such a file");
     if (!options.out.empty()) check_clip_output(options.out);
-    const Gait gait = read(options.gait);
+    const NamedText source = find_text(options.gait, k_gaits);
+    const Gait gait = read_gait(source.text, source.where, GaitOutputs::everything);
     const std::vector<double> values = gait_values(gait, options.preset, options.set);
     for (const std::string& warning : gait.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
     if (!options.table.empty() || !options.plot.empty()) {
@@ -173,7 +136,7 @@ int run(const Options& options) {
     }
     if (!options.out.empty()) bake(gait, values, options);
     if (options.json) {
-        print(dumped(described(gait, values)));
+        print_json(described(gait, values));
     } else if (options.check || (options.table.empty() && options.plot.empty() && options.out.empty())) {
         describe(gait, values);
     }

@@ -226,7 +226,7 @@ Node Definitions::name(const Token& token) {
         const bool function = find_named(k_functions, token.text) != k_functions.end();
         tokens.fail(
             function ? "the arguments of " + quoted(token) + " are missing" : "nothing above is named " + quoted(token),
-            token.at, function ? "write them in parentheses" : "define it above by parameter, let or control");
+            token.at, function ? "write them in parentheses" : "define it above by parameter or let");
     }
     found->second.used = true;
     return found->second.node;

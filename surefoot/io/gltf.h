@@ -4,6 +4,7 @@
 #include <surefoot/io/clip_file.h>
 #include <surefoot/io/mesh.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,7 +22,9 @@ namespace surefoot {
 std::vector<LoadedClip> read_gltf(std::string_view bytes, const std::string& where, const LoadOptions& options = {});
 
 struct GltfScene {
-    std::vector<Motion> motions;  ///< one at least, all of one skeleton
+    std::vector<Motion> motions;  ///< all of one skeleton
+    /// Of a character without motions, which stands in its rest pose; the motions' own where there are any.
+    std::shared_ptr<const Skeleton> skeleton;
     /// Empty, or one JSON object as text for each motion: written as `extras` of its animation, and what
     /// LoadedClip::extras gives back.
     std::vector<std::string> motion_extras;

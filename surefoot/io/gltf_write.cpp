@@ -32,9 +32,13 @@ Json parse_extras(const std::string& text, const std::string& where) {
 Json numbers(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
 Json numbers(Quat q) { return Json::array({q.x, q.y, q.z, q.w}); }
 
+const Skeleton& skeleton_of(const GltfScene& scene) {
+    return scene.motions.empty() ? *scene.skeleton : *scene.motions.front().skeleton;
+}
+
 class Writer {
   public:
-    explicit Writer(const GltfScene& scene) : scene_(scene), skeleton_(*scene.motions.front().skeleton) {}
+    explicit Writer(const GltfScene& scene) : scene_(scene), skeleton_(skeleton_of(scene)) {}
     std::string write();
 
   private:
@@ -386,7 +390,12 @@ std::string Writer::write() {
 }  // namespace
 
 std::string write_glb(const GltfScene& scene) {
-    if (scene.motions.empty()) throw Error("there is no motion to write", place(scene), "give one clip at least");
+    if (scene.motions.empty()) {
+        if (scene.skeleton == nullptr)
+            throw Error("there is no motion to write", place(scene), "give one clip at least, or a skeleton");
+        if (std::string text = problem(*scene.skeleton); !text.empty())
+            throw Error(text, place(scene), "nothing was written");
+    }
     for (const Motion& motion : scene.motions) {
         const std::string where = place(scene) + ", clip '" + motion.name + "'";
         if (std::string text = problem(motion); !text.empty()) throw Error(text, where, "nothing was written");

@@ -1,23 +1,12 @@
 #pragma once
-// The generated biped: a T-pose skeleton with the humanoid names of VRM and Unity, sized by published proportions.
-//
-// Model space: soles on y = 0, facing +Z, left hand on +X, every rest rotation identity. Segment lengths are fractions
-// of stature from R. Drillis and R. Contini, "Body Segment Parameters", NYU report 1166-03, 1966, as drawn in
-// D. Winter, "Biomechanics and Motor Control of Human Movement", fig. 4.1.
+// The body that the generated clips are made for: the bundled template `adult` (templates/adult.rig), a T-pose skeleton
+// with the humanoid names of VRM and Unity, sized by published proportions.
 
-#include <surefoot/rig/roles.h>
-
-#include <memory>
+#include <surefoot/rig_text/rig_template.h>
 
 namespace surefoot {
 
-inline constexpr float k_default_stature = 1.75f;  ///< [m]
-
-struct Biped {
-    std::shared_ptr<const Skeleton> skeleton;
-    RoleMap roles;
-    float stature = k_default_stature;  ///< [m]
-};
+inline constexpr float k_default_stature = 1.75f;  ///< [m] the template's own
 
 /// Sizes of a leg, which the gait generator rolls over the ground. All in metres, foot standing flat.
 struct LegSize {
@@ -28,13 +17,13 @@ struct LegSize {
     float heel_back = 0;       ///< heel behind the ankle
     float ball_ahead = 0;      ///< ball, which is the toe joint, ahead of the ankle
     float toe_length = 0;      ///< ball to tip
-    float half_breadth = 0;    ///< of the sole
 
     float length() const noexcept { return thigh + shank; }
 };
 
-/// `stature` > 0, metres.
-Biped make_biped(float stature = k_default_stature);
-LegSize leg_size(float stature) noexcept;
+/// `stature` in metres, within the template's range; throws Error otherwise.
+Rig make_biped(float stature = k_default_stature);
+/// The left leg's, of a rig whose axes are the body's (as every rig of a template is).
+LegSize leg_size(const Rig& rig) noexcept;
 
 }  // namespace surefoot

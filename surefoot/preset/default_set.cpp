@@ -5,7 +5,7 @@
 namespace surefoot {
 
 DefaultSet make_default_set() {
-    const Biped biped = make_biped();
+    const Rig biped = make_biped();
     DefaultSet set{biped.skeleton, biped.roles, {}};
     for (const GaitParameters& gait : default_gaits()) set.clips.push_back(make_gait_cycle(biped, gait));
     return set;

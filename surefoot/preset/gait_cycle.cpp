@@ -41,7 +41,7 @@ constexpr ArmRoles k_arm_roles[2] = {
 /// cycle later, so that a mirrored gait is the mirror image half a cycle later.
 class Walker {
   public:
-    Walker(const Biped& biped, const GaitParameters& gait);
+    Walker(const Rig& biped, const GaitParameters& gait);
     void pose(float phase, std::span<Transform> locals) const;
 
   private:
@@ -63,7 +63,7 @@ class Walker {
         return locals[static_cast<std::size_t>(biped_.roles[role])];
     }
 
-    const Biped& biped_;
+    const Rig& biped_;
     GaitParameters gait_;
     LegSize size_;
     float bank_;             // radians towards the inside of the turn, positive to the left
@@ -73,8 +73,8 @@ class Walker {
 
 float bank_angle(const GaitParameters& g) { return g.bank * atan2(g.forward * rad(g.turn), k_gravity); }
 
-Walker::Walker(const Biped& biped, const GaitParameters& gait)
-    : biped_(biped), gait_(gait), size_(leg_size(biped.stature)), bank_(bank_angle(gait)) {
+Walker::Walker(const Rig& biped, const GaitParameters& gait)
+    : biped_(biped), gait_(gait), size_(leg_size(biped)), bank_(bank_angle(gait)) {
     place_feet((gait.duty < 1 ? best_foothold() : 0) + gait.ahead);
     hips_height_ = highest_hips();
 }
@@ -221,7 +221,7 @@ GaitParameters mirrored_gait(GaitParameters gait, std::string name) {
     return gait;
 }
 
-Motion make_gait_cycle(const Biped& biped, const GaitParameters& gait) {
+Motion make_gait_cycle(const Rig& biped, const GaitParameters& gait) {
     Motion motion = make_motion(biped.skeleton, gait.name, gait.intervals + 1, k_gait_fps);
     motion.cyclic = true;
     const Walker walker(biped, gait);

@@ -66,6 +66,6 @@ std::vector<GaitParameters> default_gaits();
 GaitParameters mirrored_gait(GaitParameters gait, std::string name);
 
 /// intervals + 1 frames; cyclic; starts at the left foot's strike; root frames start at identity.
-Motion make_gait_cycle(const Biped& biped, const GaitParameters& gait);
+Motion make_gait_cycle(const Rig& biped, const GaitParameters& gait);
 
 }  // namespace surefoot

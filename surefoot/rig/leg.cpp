@@ -19,6 +19,13 @@ constexpr float k_shortest_tip = 1.3f, k_longest_tip = 2.4f;
 // Foot length over leg length (hip to ankle), 0.152 / 0.491 of stature (Drillis and Contini 1966).
 constexpr float k_foot_per_leg = 0.31f;
 
+// Walking on toes: the ankle stands this many times as high above the sole as it lies behind the ball, or behind the
+// tip where nothing says where the ball is. A human foot of which the heel is raised by 35 degrees has 2; flat, about
+// half.
+constexpr float k_raised_over_ball = 2.0f, k_raised_over_tip = 1.5f;
+// What such a foot stands on reaches this far behind the ball, in lengths of the toes.
+constexpr float k_pad_behind_ball = 0.4f;
+
 Vec3 level(Vec3 v) { return {v.x, 0, v.z}; }
 
 // Farthest end of what hangs from a joint: its tip, or that of unnamed end joints below it ("ball_leaf_l").
@@ -46,7 +53,19 @@ struct Sole {
     float ball = 0, tip = 0, heel = 0;  // heel: behind the ankle
 };
 
-Sole measure_sole(const Skeleton& skeleton, const RoleMap& roles, std::span<const Transform> standing, const Leg& leg) {
+/// The sole of one who walks on its toes (a digitigrade): under the toes alone. Needs the foot to be such a one.
+Sole toe_sole(Vec3 facing, Vec3 to_ball, Vec3 to_end, float least, float usual) {
+    Sole sole;
+    sole.forward = length(to_end - to_ball) > least ? normalized(to_end - to_ball) : facing;
+    const bool ends = dot(to_end - to_ball, sole.forward) > least;
+    sole.ball = dot(to_ball, sole.forward);
+    sole.tip = ends ? dot(to_end, sole.forward) : sole.ball + 0.5f * usual;
+    sole.heel = k_pad_behind_ball * (sole.tip - sole.ball) - sole.ball;
+    return sole;
+}
+
+Sole measure_sole(const Skeleton& skeleton, const RoleMap& roles, std::span<const Transform> standing, const Leg& leg,
+                  float floor) {
     const Vec3 ankle = standing[at(leg.foot)].translation;
     const float usual = k_foot_per_leg * leg.length();
     // Shorter than this, an offset says nothing about direction or length.
@@ -56,6 +75,11 @@ Sole measure_sole(const Skeleton& skeleton, const RoleMap& roles, std::span<cons
     const Vec3 end = far_end(skeleton, standing, toes ? leg.toes : leg.foot);
     const Vec3 to_ball = toes ? level(standing[at(leg.toes)].translation - ankle) : Vec3{};
     const Vec3 to_end = level(end - ankle);
+    const float height = ankle.y - floor;
+    if (toes && height > k_raised_over_ball * std::max(length(to_ball), least))
+        return toe_sole(facing(roles, standing), to_ball, to_end, least, usual);
+    if (!toes && length(to_end) > least && height > k_raised_over_tip * length(to_end))
+        return toe_sole(facing(roles, standing), 0.5f * to_end, to_end, least, usual);
     sole.forward = length(to_ball) > least  ? normalized(to_ball)
                    : length(to_end) > least ? normalized(to_end)
                                             : facing(roles, standing);
@@ -109,7 +133,7 @@ Leg make_leg(const Skeleton& skeleton, const RoleMap& roles, Side side, std::spa
     leg.upper_length = distance(rest[at(leg.upper)].translation, rest[at(leg.lower)].translation);
     leg.lower_length = distance(rest[at(leg.lower)].translation, rest[at(leg.foot)].translation);
 
-    const Sole sole = measure_sole(skeleton, roles, standing, leg);
+    const Sole sole = measure_sole(skeleton, roles, standing, leg, floor);
     const Transform& foot = standing[at(leg.foot)];
     const Vec3 under = {foot.translation.x, floor, foot.translation.z};
     const auto on_floor = [&](float ahead) { return under + sole.forward * ahead; };

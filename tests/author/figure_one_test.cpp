@@ -46,7 +46,7 @@ const std::vector<Wanted> k_figure{
     {"trot_right", "jog_right", 2.1f, -18},  // (d): next to jog_right
 };
 
-Motion make_clip_of(const Wanted& wanted, const Biped& biped) {
+Motion make_clip_of(const Wanted& wanted, const Rig& biped) {
     for (GaitParameters gait : default_gaits())
         if (gait.name == wanted.gait) {
             gait.name = wanted.name;
@@ -63,7 +63,7 @@ class FigureOne : public testing::Test {
     static void SetUpTestSuite() {
         const fs::path folder = fs::temp_directory_path() / ("surefoot_figure_one_" + std::to_string(getpid()));
         fs::remove_all(folder);
-        const Biped biped = make_biped();
+        const Rig biped = make_biped();
         for (const Wanted& wanted : k_figure) {
             GltfScene scene;
             scene.motions = {make_clip_of(wanted, biped)};

@@ -139,7 +139,7 @@ TEST(GaitLanguage, names_that_nothing_uses_are_warned_of) {
 
 TEST(GaitLanguage, errors_show_line_column_and_a_caret) {
     EXPECT_EQ(message("gait x\ncontrol c = sin(t) +\tbad * 2\n"),
-              "test.gait:2:22: nothing above is named 'bad'; define it above by parameter, let or control\n"
+              "test.gait:2:22: nothing above is named 'bad'; define it above by parameter or let\n"
               "    control c = sin(t) +\tbad * 2\n"
               "                        \t^");
     EXPECT_EQ(

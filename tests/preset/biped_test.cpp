@@ -16,7 +16,7 @@ class Biped175 : public ::testing::Test {
         return transform_point(models[j], biped.skeleton->tips[j]);
     }
 
-    Biped biped = make_biped();
+    Rig biped = make_biped();
     std::vector<Transform> models;
 };
 
@@ -56,8 +56,8 @@ TEST_F(Biped175, is_symmetric) {
 }
 
 TEST(LegSize, agrees_with_the_skeleton) {
-    const Biped biped = make_biped(1.6f);
-    const LegSize size = leg_size(1.6f);
+    const Rig biped = make_biped(1.6f);
+    const LegSize size = leg_size(biped);
     const auto rest = [&](Role role) {
         return biped.skeleton->rest[static_cast<std::size_t>(biped.roles[role])].translation;
     };

@@ -132,5 +132,54 @@ TEST(legs, bending_toes_take_the_tip_along_and_leave_the_ball) {
     EXPECT_GT(bent.toe_tip.y, flat.toe_tip.y + 0.02f);
 }
 
+// A leg that stands on its toes: the ankle high above a ball that lies `behind` or ahead of it.
+Body make_toe_walker(float ahead, bool toes) {
+    Body body;
+    const auto add = [&](const char* name, int parent, Vec3 position, Vec3 tip = {}) {
+        const Vec3 above = parent < 0 ? Vec3{} : body.standing[static_cast<std::size_t>(parent)].translation;
+        body.standing.push_back({{}, position});
+        return body.skeleton.add(name, parent, {{}, position - above}, tip);
+    };
+    body.roles.set(Role::hips, add("hips", k_no_joint, {0, 0.95f, 0}));
+    for (const bool left : {true, false}) {
+        const float x = left ? 0.1f : -0.1f;
+        const auto role = [&](Role r) { return left ? r : mirrored(r); };
+        const auto name = [&](const char* part) { return std::string(left ? "l_" : "r_") + part; };
+        const int upper = add(name("thigh").c_str(), body.roles[Role::hips], {x, 0.9f, 0});
+        const int lower = add(name("shin").c_str(), upper, {x, 0.6f, 0.15f});
+        const Vec3 ankle{x, 0.28f, -0.05f}, ball{x, 0.02f, -0.05f + ahead}, tip = ball + Vec3{0, -0.02f, 0.1f};
+        const int foot = add(name("foot").c_str(), lower, ankle, toes ? Vec3{} : tip - ankle);
+        body.roles.set(role(Role::left_upper_leg), upper);
+        body.roles.set(role(Role::left_lower_leg), lower);
+        body.roles.set(role(Role::left_foot), foot);
+        if (toes) body.roles.set(role(Role::left_toes), add(name("toe").c_str(), foot, ball, tip - ball));
+    }
+    return body;
+}
+
+TEST(legs, who_stands_on_its_toes_has_its_sole_under_them) {
+    for (const bool toes : {true, false})
+        for (const float ahead : {0.08f, 0.03f, -0.03f}) {
+            if (!toes && ahead < 0) continue;  // nothing says where its toes begin
+            const Body body = make_toe_walker(ahead, toes);
+            const Legs legs = make_legs(body.skeleton, body.roles, body.standing, 0);
+            for (const Side side : {Side::left, Side::right}) {
+                const SolePoints sole = sole_of(body, legs, side);
+                const float ball = -0.05f + ahead, tip = ball + 0.1f;
+                EXPECT_NEAR(sole.toe_tip.z, tip, 1e-5f);
+                if (toes) {
+                    EXPECT_NEAR(sole.ball.z, ball, 1e-5f);
+                }
+                EXPECT_LT(sole.heel.z, sole.ball.z - 0.02f);
+                EXPECT_GT(sole.heel.z, -0.15f);
+                EXPECT_NEAR(sole.mid.z, 0.5f * (sole.heel.z + sole.ball.z), 1e-5f);
+                for (const Vec3 point : {sole.heel, sole.mid, sole.ball, sole.toe_tip}) {
+                    EXPECT_NEAR(point.y, 0, 1e-5f);
+                    EXPECT_NEAR(std::fabs(point.x), 0.1f, 1e-5f);
+                }
+            }
+        }
+}
+
 }  // namespace
 }  // namespace surefoot
