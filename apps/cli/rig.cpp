@@ -8,7 +8,7 @@
 #include <surefoot/host/files.h>
 #include <surefoot/io/bvh.h>
 #include <surefoot/io/gltf.h>
-#include <surefoot/io/mannequin.h>
+#include <surefoot/mannequin/mannequin.h>
 #include <surefoot/rig_text/rig_template.h>
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include <surefoot/analysis/measure.h>
 #include <surefoot/author/retarget_clips.h>
 #include <surefoot/host/parallel.h>
-#include <surefoot/io/mannequin.h>
+#include <surefoot/mannequin/mannequin.h>
 #include <surefoot/motion/root_motion.h>
 
 #include <algorithm>

@@ -19,7 +19,7 @@ struct Actor {
 };
 
 /// The character that moves in a clip. Its shape is the rest pose where that agrees with how the clip turns the joints,
-/// else the frame with the straightest limbs (io/mannequin.h).
+/// else the frame with the straightest limbs (mannequin/mannequin.h).
 Actor actor_of(const AnalyzedClip& clip);
 
 /// The same from several clips of one character: the one that stands or goes slowest shows best how its feet lie flat.

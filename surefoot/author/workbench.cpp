@@ -7,7 +7,7 @@
 #include <surefoot/host/parallel.h>
 #include <surefoot/io/gltf.h>
 #include <surefoot/io/load.h>
-#include <surefoot/io/mannequin.h>
+#include <surefoot/mannequin/mannequin.h>
 
 #include <algorithm>
 #include <optional>

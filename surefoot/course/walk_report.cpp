@@ -1,7 +1,7 @@
 #include <surefoot/course/filmstrip.h>
 #include <surefoot/course/walk_report.h>
 #include <surefoot/io/gltf.h>
-#include <surefoot/io/mannequin.h>
+#include <surefoot/mannequin/mannequin.h>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // glTF 2.0 and GLB, in and out. Metres, Y up: the file's axes are ours.
 
 #include <surefoot/io/clip_file.h>
-#include <surefoot/io/mesh.h>
+#include <surefoot/mannequin/mesh.h>
 
 #include <memory>
 #include <optional>

@@ -11,8 +11,9 @@
 #include <surefoot/host/files.h>
 #include <surefoot/io/gltf.h>
 #include <surefoot/io/load.h>
-#include <surefoot/io/mannequin.h>
+#include <surefoot/mannequin/mannequin.h>
 #include <surefoot/preset/default_set.h>
+#include <surefoot/rig_text/rig_template.h>
 
 #include <nlohmann/json.hpp>
 
@@ -62,6 +63,16 @@ void write_case(const std::filesystem::path& folder, const std::string& name, st
     scene.mesh = body_of(motions.front());
     scene.motions = std::move(motions);
     write_file(folder / (name + ".glb"), write_glb(scene));
+}
+
+/// A character without motions, and one that stands, of which the places can be judged.
+void write_rig(const std::filesystem::path& folder, const std::string& name, const std::vector<std::string>& set) {
+    const Rig rig = make_rig(name, set);
+    GltfScene scene;
+    scene.skeleton = rig.skeleton;
+    scene.mesh = make_mannequin(*rig.skeleton, rig.roles, rig.legs);
+    write_file(folder / (name + "_still.glb"), write_glb(scene));
+    write_case(folder, name, {make_motion(rig.skeleton, name, 2, 30)});
 }
 
 void write_wrong(const std::filesystem::path& folder) {
@@ -115,6 +126,7 @@ int run(int argc, char** argv) {
         return 0;
     }
     write_case(folder, "default", make_default_set().clips);
+    write_rig(folder, "toe_walker", {"spine=7", "fingers=1"});
     const std::vector<std::string> paths(argv + 2, argv + argc);
     LoadResult loaded = load_clips(paths);
     for (const LoadFailure& failure : loaded.failed) throw Error(failure.error, failure.file, "");

@@ -1,18 +1,20 @@
 #pragma once
 // A body for any skeleton with roles: what exported clips wear, so that every viewer shows more than bones.
 //
-// Smooth-weighted closed parts (torso, head, arms with mitten hands, legs, shoes), sized by the skeleton itself. Joints
-// without a role are left out; missing toes, shoulders, chest joints and arms are fine. Same input, same bytes.
+// One closed, smooth-weighted surface from the toes to the crown, sized by the skeleton itself, its edges running
+// around every joint that bends; thumbs, or all fingers where they have roles, are closed tubes that begin inside the
+// hand. Joints of spine and neck without a role bend it, too. Missing toes, shoulders, chest joints, head and arms are
+// fine; who stands on its toes gets feet to match. Same input, same bytes.
 
-#include <surefoot/io/mesh.h>
+#include <surefoot/mannequin/mesh.h>
 #include <surefoot/motion/motion.h>
 #include <surefoot/rig/leg.h>
 
 namespace surefoot {
 
 /// For the skeleton of a clip: bound to the rest pose where that agrees with how the clip turns the joints, else to the
-/// pose of mannequin_bind_frame(). `legs` says where the soles are. Below 6,000 triangles, at most four weights a
-/// vertex. Needs roles.has_legs().
+/// pose of mannequin_bind_frame(). `legs` says where the soles are. Some 6,200 triangles, 7,900 with
+/// fingers; at most four weights a vertex. Needs roles.has_legs().
 Mesh make_mannequin(const Motion& motion, const RoleMap& roles, const Legs& legs);
 
 /// Bound to the rest pose, whatever that is.

@@ -1,9 +1,9 @@
 #pragma once
-// Closed skinned surfaces from rings: the clay of which the mannequin is made.
+// Which joints a vertex follows. Private to the room.
 
-#include <surefoot/io/mesh.h>
-
-#include <span>
+#include <array>
+#include <cstdint>
+#include <vector>
 
 namespace surefoot {
 
@@ -17,18 +17,21 @@ struct SkinWeights {
     static SkinWeights mix(const SkinWeights& a, const SkinWeights& b, float share) noexcept;
 };
 
-/// An ellipse of the loft.
-struct Ring {
-    Vec3 center;   ///< [m]
-    Vec3 across;   ///< half-axis [m]
-    Vec3 forward;  ///< half-axis [m]
-    SkinWeights skin;
-    float flat_at = -1;  ///< share of `forward`, -1 to 0, below which the ring is cut flat; -1: round
-};
+/// A weighted sum of skins, of which the four strongest joints remain.
+class SkinSum {
+  public:
+    void add(const SkinWeights& skin, float share) noexcept;
+    SkinWeights result() const noexcept;
 
-/// Adds a tube through the rings, closed at both ends by a point in the middle of the first and last ring. Turns its
-/// faces outward whichever way the rings run. Normals are smooth.
-void add_loft(Mesh& mesh, std::span<const Ring> rings, int segments);
+  private:
+    static constexpr std::size_t k_most = 32;  // more joints meet at no vertex; what comes after them is dropped
+
+    void add(std::uint16_t joint, float weight) noexcept;
+
+    std::array<std::uint16_t, k_most> joints_{};
+    std::array<float, k_most> weights_{};
+    std::size_t count_ = 0;
+};
 
 /// Chain of joints at places along a path: whose skin a point of the path wears. Weights change smoothly over
 /// `reach` to either side of a joint.

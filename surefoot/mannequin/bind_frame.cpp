@@ -1,4 +1,4 @@
-#include <surefoot/io/mannequin.h>
+#include <surefoot/mannequin/mannequin.h>
 
 #include <algorithm>
 #include <array>
