@@ -39,8 +39,8 @@ SolePoints sole_points(const Leg& leg, const Transform& foot, const Transform& t
 
 /// Legs of a character standing flat with its soles at height `floor` in `standing` (model space, +Y up). Needs
 /// roles.has_legs(). The heel lies below and a quarter foot length behind the ankle; the ball below the toe joint, or
-/// at 70 % of the foot without one; lengths come from the skeleton's rest offsets. Who stands on its toes (the ankle twice
-/// as high as it is behind the ball) has a sole under the toes alone: its heel is the rim behind the ball.
+/// at 70 % of the foot without one; lengths come from the skeleton's rest offsets. Who stands on its toes (the ankle
+/// twice as high as it is behind the ball) has a sole under the toes alone: its heel is the rim behind the ball.
 Legs make_legs(const Skeleton& skeleton, const RoleMap& roles, std::span<const Transform> standing, float floor);
 
 /// One leg, from a pose in which this foot stands flat (the two feet of a walking clip never do at the same time).
