@@ -16,12 +16,18 @@ node scripts/view_glb.mjs "$clips"/{walk,run,strafe_left}.glb docs/images/defaul
   --views three --columns 8 --size 150 --span 1.95
 node scripts/view_glb.mjs "$clips"/{idle,walk,jog,run,back,strafe_left,turn_left}.glb docs/images/contact_sheet.jpg \
   --views side,front --columns 8 --size 130 --span 1.95
-# The fitted family: 0.5 to 4 m/s straight ahead, and a tight left turn.
-for speed in 0.5 1 1.4 2 3 4; do
-  "$program" fit gaits/fitted/human.json --speed "$speed" -o "$work/$speed.glb" >/dev/null
-done
-"$program" fit gaits/fitted/human.json --speed 1.2 --turn 80 -o "$work/turn.glb" >/dev/null
-node scripts/view_glb.mjs "$work"/{0.5,1,1.4,2,3,4,turn}.glb docs/images/fitted_gaits.jpg \
+# The fitted gaits, ground and stairs, and the walk's personalities and slopes.
+fitted() { "$program" gait "$1" "${@:3}" -o "$work/fitted_$2.glb" 2>/dev/null; }
+for name in walk jog run back strafe turn idle crouch; do fitted $name $name; done
+node scripts/view_glb.mjs "$work"/fitted_{walk,jog,run,back,strafe,turn,idle,crouch}.glb docs/images/fitted_gaits.jpg \
+  --views side,front --columns 8 --size 130 --span 1.95
+fitted walk up --slope 15
+fitted walk down --slope -15
+for name in stairs_up stairs_down; do fitted $name $name; done
+node scripts/view_glb.mjs "$work"/fitted_{stairs_up,stairs_down,up,down}.glb docs/images/fitted_climbs.jpg \
+  --views side,front --columns 8 --size 130 --span 2.2 --floor off
+for name in neutral tired proud sneaky drunk elderly; do fitted walk $name --speed 1 --personality $name; done
+node scripts/view_glb.mjs "$work"/fitted_{neutral,tired,proud,sneaky,drunk,elderly}.glb docs/images/personalities.jpg \
   --views side,front --columns 8 --size 130 --span 1.95
 # Gaits of expressions: the paper's model, what it leaves for later, and the poses of its figures 2 to 9.
 gait() { "$program" gait "gaits/$1.gait" ${2:+--preset "$2"} -o "$work/$1${2:+_$2}.glb" >/dev/null; }

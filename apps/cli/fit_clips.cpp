@@ -49,6 +49,18 @@ std::vector<AnalyzedClip> analyzed(const FitInput& input) {
     return result;
 }
 
+/// A take whose ends happen to meet is a cycle of several strides, each a little different: fitted as one they blur.
+/// What steps more than once is looked through for single cycles, and stays whole where it holds none.
+std::vector<AnalyzedClip> find_single(const FindCycles& find, const AnalyzedClip& clip) {
+    const float strides = clip.facts.cadence * clip.facts.duration / 120;
+    if (clip.facts.cyclic && strides > 1.5f) {
+        AnalyzedClip take = clip;
+        take.facts.cyclic = take.motion.cyclic = false;
+        if (std::vector<AnalyzedClip> found = find(take); !found.empty()) return found;
+    }
+    return find(clip);
+}
+
 AnalyzedClip on_target(const AnalyzedClip& clip, const Actor& source, const Actor& target) {
     AnalyzedClip result = retargeted(clip, source, target);
     for (const Role role : {Role::left_shoulder, Role::right_shoulder})
@@ -86,7 +98,7 @@ std::vector<AnalyzedClip> cycles_to_fit(const FitInput& input, const FindCycles&
     }
     std::vector<std::vector<AnalyzedClip>> found(takes.size());
     for_each_clip(takes.size(), [&](std::size_t i) {
-        for (AnalyzedClip& clip : find(takes[i])) {
+        for (AnalyzedClip& clip : find_single(find, takes[i])) {
             if (!is_usable(clip)) continue;
             if (target) clip = on_target(clip, *source, *target);
             if (input.reverse) clip = played_backwards(std::move(clip));

@@ -6,12 +6,14 @@
 #include <surefoot/analysis/leg_track.h>
 #include <surefoot/author/fitted_gaits.h>
 #include <surefoot/author/gait_file.h>
+#include <surefoot/author/personalities.h>
 #include <surefoot/author/project.h>
 #include <surefoot/base/error.h>
 #include <surefoot/fit/fit_gait.h>
 #include <surefoot/host/files.h>
 #include <surefoot/motion/edit.h>
 
+#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -45,6 +47,36 @@ void describe(const HarmonicGait& gait, const NamedGait* named, bool json) {
     if (gait.family())
         fmt::print("  {:g} to {:g} m/s, turns up to {:g} deg/s\n", basis.least_speed, basis.most_speed,
                    basis.most_turn);
+}
+
+const Personality& pick(const std::vector<Personality>& all, const std::string& name, const std::string& where) {
+    std::string names;
+    for (const Personality& personality : all) {
+        if (personality.name == name) return personality;
+        names += (names.empty() ? "" : ", ") + personality.name;
+    }
+    throw Error("there is no personality '" + name + "'", where, "there are " + names);
+}
+
+GaitStyle style_of(const PlayFitted& play) {
+    GaitStyle style;
+    const std::size_t hash = play.personality.rfind('#');
+    if (hash != std::string::npos) {
+        const std::string file = play.personality.substr(0, hash);
+        style = pick(read_personalities(read_file(file), file), play.personality.substr(hash + 1), file).style;
+    } else if (!play.personality.empty()) {
+        style = pick(bundled_personalities(), play.personality, "--personality").style;
+    }
+    for (const std::string& text : play.set) {
+        const std::size_t equals = text.find('=');
+        const char *first = text.data() + (equals == std::string::npos ? text.size() : equals + 1),
+                   *end = text.data() + text.size();
+        float value = 0;
+        if (first == end || fast_float::from_chars(first, end, value).ptr != end)
+            throw Error("'" + text + "' sets no slider", "-p", "write name=number, as spine.lean_deg=10");
+        set_slider(style, text.substr(0, equals), value, "-p");
+    }
+    return style;
 }
 
 }  // namespace
@@ -95,7 +127,9 @@ int play_fitted(const PlayFitted& play) {
         throw Error("a family has no speed of its own", play.gait, "ask for one: --speed 1.4");
     const float speed = play.speed.value_or(named ? named->speed : 0),
                 turn = play.turn.value_or(named ? named->turn_deg : 0);
-    AnalyzedClip baked = bake_gait(gait, speed, turn, play.fps);
+    AnalyzedClip baked = bake_gait(gait, speed, turn, BakeOptions{style_of(play), play.slope, play.fps});
+    if (!play.personality.empty())
+        baked.motion.name = baked.facts.name += "_" + play.personality.substr(play.personality.rfind('#') + 1);
     fmt::print(stderr, "{}: {:.3f} m/s, {:.1f} deg/s, {}\n", baked.facts.name, baked.facts.speed, baked.facts.turn,
                skate_text(skate_of(baked)));
     if (!play.rig.empty()) {

@@ -23,6 +23,9 @@ LoadedClip as_clip(AnalyzedClip baked);
 struct PlayFitted {
     std::string gait, out;
     std::optional<float> speed, turn;  ///< else the gait's own
+    float slope = 0;                   ///< [deg] positive uphill
+    std::string personality;           ///< a bundled one, FILE.json#NAME, or empty
+    std::vector<std::string> set;      ///< sliders, as spine.lean_deg=10
     std::string rig;                   ///< character to put it onto; empty: the gait's own
     std::vector<std::string> roles;    ///< of the rig's joints, by hand
     float fps = 60;

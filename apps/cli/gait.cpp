@@ -25,7 +25,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Options {
-    std::string gait, preset, plot, table, out, rig = "default";
+    std::string gait, preset, plot, table, out, rig = "default", personality;
     std::vector<std::string> set, roles;
     GaitMoments moments;
     GaitPlay play;
@@ -112,6 +112,8 @@ int run_fitted(const Options& options) {
     play.fps = static_cast<float>(options.play.fps), play.cycles = options.play.cycles;
     if (options.rig != "default") play.rig = options.rig;
     play.roles = options.roles;
+    play.slope = static_cast<float>(options.moments.slope_deg);
+    play.personality = options.personality, play.set = options.set;
     if (options.speed->count() > 0) play.speed = static_cast<float>(options.moments.speed_mps);
     if (options.turn->count() > 0) play.turn = static_cast<float>(options.moments.turn_deg_s);
     return play_fitted(play);
@@ -155,6 +157,9 @@ const Command k_gait{
             ->required();
         app.add_flag("--check", options->check, "List parameters, controls and presets; exit code 1 with warnings");
         app.add_option("--preset", options->preset, "Begin with the values of this preset");
+        app.add_option(
+            "--personality", options->personality,
+            "Of a fitted gait: tired, proud, sneaky, drunk, elderly, or FILE.json#NAME; -p sets its sliders");
         app.add_option("-p,--set", options->set, "Set a parameter, name=value (may be repeated)")
             ->type_name("NAME=VALUE")
             ->allow_extra_args(false);

@@ -47,9 +47,19 @@ std::vector<PhaseEvent> events_of(const GaitRhythm& rhythm, float duration) {
 }  // namespace
 
 AnalyzedClip bake_gait(const HarmonicGait& gait, float speed, float turn_deg, float fps) {
+    BakeOptions options;
+    options.fps = fps;
+    return bake_gait(gait, speed, turn_deg, options);
+}
+
+AnalyzedClip bake_gait(const HarmonicGait& gait, float speed, float turn_deg, const BakeOptions& options) {
+    const float fps = options.fps;
     check_request(gait, speed, turn_deg, fps);
     std::vector<float> values(static_cast<std::size_t>(value_count(gait)));
     values_at(gait, speed, turn_deg, values);
+    const StyleBody body = make_style_body(gait);
+    apply_style(gait, body, options.style, values);
+    apply_slope(gait, body, options.slope_deg, values);
     const GaitRhythm rhythm = rhythm_of(gait, values);
     const int steps = std::max(8, static_cast<int>(fps / rhythm.frequency + 0.5f));
     AnalyzedClip clip;

@@ -1,6 +1,8 @@
 #include <surefoot/base/error.h>
 #include <surefoot/clip/sample.h>
 #include <surefoot/fit/cycle_samples.h>
+#include <surefoot/fit/ridge.h>
+#include <surefoot/harmonic/series.h>
 #include <surefoot/math/trig.h>
 
 #include <algorithm>
@@ -131,6 +133,46 @@ HarmonicGait gait_of_body(const AnalyzedClip& clip, const FitOptions& options) {
     gait.harmonics = options.harmonics;
     gait.foot_harmonics = options.foot_harmonics;
     return gait;
+}
+
+void fit_mean_angles(const CycleSamples& samples, const HarmonicGait& gait, std::span<float> values) {
+    constexpr int k_rounds = 8;
+    constexpr float k_exact = 1e-4f;  // [rad] what is off by less counts no more
+    const std::size_t count = samples.poses.size(), terms = at(1 + 2 * gait.harmonics);
+    std::vector<float> waves(count * terms, 1.0f);
+    for (std::size_t i = 0; i < count; ++i)
+        for (int k = 1; k <= gait.harmonics; ++k) {
+            const SinCos wave = sin_cos(2 * k_pi * k * static_cast<double>(i) / k_samples);
+            waves[i * terms + at(2 * k - 1)] = static_cast<float>(wave.cos);
+            waves[i * terms + at(2 * k)] = static_cast<float>(wave.sin);
+        }
+    const GaitSeries series(gait, values);
+    for (std::size_t j = 0; j < gait.mean.size(); ++j) {
+        const int joint = static_cast<int>(j);
+        const auto carries = [&](const Leg& leg) {
+            return joint != leg.foot && is_within(*gait.skeleton, leg.foot, joint);
+        };
+        if (carries(gait.soles.side[0]) || carries(gait.soles.side[1])) continue;
+        for (int round = 0; round < k_rounds; ++round) {
+            RidgeProblem problem(terms, 3);
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::span<const float> wave(waves.data() + i * terms, terms);
+                const Vec3 wanted = to_rotation_vector(conjugate(gait.mean[j]) * samples.poses[i][j].rotation);
+                const auto at_axis = [&](int axis) {
+                    const std::span<const float> s = series.rotation(joint, axis);
+                    float sum = 0;
+                    for (std::size_t t = 0; t < terms; ++t) sum += s[t] * wave[t];
+                    return sum;
+                };
+                const Vec3 got{at_axis(0), at_axis(1), at_axis(2)};
+                const float target[3] = {wanted.x, wanted.y, wanted.z};
+                problem.add_sample(wave, target, 1 / static_cast<double>(std::max(k_exact, distance(wanted, got))));
+            }
+            const std::vector<float> solved = problem.solve();  // [term][axis]
+            for (int axis = 0; axis < 3; ++axis)
+                for (std::size_t t = 0; t < terms; ++t) series.rotation(joint, axis)[t] = solved[3 * t + at(axis)];
+        }
+    }
 }
 
 void round_coefficients(HarmonicGait& gait) {

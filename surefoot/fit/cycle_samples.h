@@ -35,6 +35,12 @@ void set_means(HarmonicGait& gait, std::span<const CycleSamples> samples);
 /// The numbers of the gait that does as `samples` do (HarmonicGait::coefficients, one term).
 std::vector<float> values_of(const CycleSamples& samples, const HarmonicGait& gait);
 
+/// Fits the joints' rotations anew so that the mean of the angles that they are off is least, where Fourier's sums have
+/// the least mean square: a glitch of the capture then bends the rest of the cycle less. Iteratively reweighted least
+/// squares (Weiszfeld's way to a geometric median). Joints that carry a foot stay: their errors add up to the ankle's,
+/// whose largest counts.
+void fit_mean_angles(const CycleSamples& samples, const HarmonicGait& gait, std::span<float> values);
+
 /// To the nearest whole hundred-thousandth: a hundredth of a millimetre, and of a milliradian. What is finer is noise,
 /// and half of a file.
 void round_coefficients(HarmonicGait& gait);

@@ -42,26 +42,6 @@ void set_over_speeds(HarmonicGait& gait, float least, float most,
     round_coefficients(gait);
 }
 
-/// What a foot does in its swing, `factor` times: heights and angles; where it stands stays.
-void scale_steps(const HarmonicGait& gait, const GaitSeries& series, float factor) {
-    const float standing = 0.5f * gait.foot_lift;
-    for (std::size_t side = 0; side < 2; ++side) {
-        for (const FootPart part : {FootPart::heel, FootPart::ball})
-            scale_about(series.foot(side, part, 1), standing, factor);
-        for (int axis = 0; axis < 3; ++axis) scale_about(series.foot(side, FootPart::rotation, axis), standing, factor);
-    }
-}
-
-/// Every joint's model rotation when each is at its mean.
-std::vector<Quat> mean_models(const HarmonicGait& gait) {
-    std::vector<Quat> models;
-    for (std::size_t j = 0; j < gait.mean.size(); ++j) {
-        const int parent = gait.skeleton->parents[j];
-        models.push_back(parent == k_no_joint ? gait.mean[j] : normalized(models[at(parent)] * gait.mean[j]));
-    }
-    return models;
-}
-
 RoleMap roles_of(const HarmonicGait& gait) {
     std::vector<Transform> rest(gait.skeleton->rest.size());
     local_to_model(*gait.skeleton, gait.skeleton->rest, rest);

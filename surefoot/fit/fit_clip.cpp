@@ -74,6 +74,7 @@ HarmonicGait fit_clip(const AnalyzedClip& clip, const FitOptions& options) {
     const CycleSamples samples = sample_cycles(packed, gait);
     set_means(gait, {&samples, 1});
     gait.coefficients = values_of(samples, gait);
+    fit_mean_angles(samples, gait, gait.coefficients);
     round_coefficients(gait);
     gait.cycles = {{packed.velocity.z, packed.turn_rate * k_degrees_per_radian}};
     return gait;

@@ -10,7 +10,7 @@
 // can.
 
 #include <surefoot/analysis/analyze.h>
-#include <surefoot/harmonic/harmonic_gait.h>
+#include <surefoot/harmonic/gait_style.h>
 
 #include <span>
 #include <string>
@@ -81,5 +81,13 @@ HarmonicGait fit_family(std::span<const AnalyzedClip> clips, const FamilyOptions
 /// frames fills the cycle. Root motion is steady and exactly as asked; `facts` are measured from the motion, but its
 /// foot strikes are those of the gait. Throws Error where a family is asked for what lies beyond its range.
 AnalyzedClip bake_gait(const HarmonicGait& gait, float speed, float turn_deg, float fps = 60);
+
+/// The same with sliders and on a slope [deg, positive uphill] (harmonic/gait_style.h).
+struct BakeOptions {
+    GaitStyle style;
+    float slope_deg = 0;
+    float fps = 60;
+};
+AnalyzedClip bake_gait(const HarmonicGait& gait, float speed, float turn_deg, const BakeOptions& options);
 
 }  // namespace surefoot

@@ -71,4 +71,37 @@ void sharpen(std::span<float> series, float factor) noexcept {
     }
 }
 
+void add_turn(const GaitSeries& series, int joint, Quat model, Vec3 turn) noexcept {
+    const Vec3 own = rotate(conjugate(model), turn);
+    series.rotation(joint, 0)[0] += own.x;
+    series.rotation(joint, 1)[0] += own.y;
+    series.rotation(joint, 2)[0] += own.z;
+}
+
+void add_foot_turn(const HarmonicGait& gait, const GaitSeries& series, std::size_t side, Vec3 turn) noexcept {
+    const Vec3 own = rotate(conjugate(gait.foot_mean[side]), turn);
+    series.foot(side, GaitSeries::FootPart::rotation, 0)[0] += own.x;
+    series.foot(side, GaitSeries::FootPart::rotation, 1)[0] += own.y;
+    series.foot(side, GaitSeries::FootPart::rotation, 2)[0] += own.z;
+}
+
+void scale_steps(const HarmonicGait& gait, const GaitSeries& series, float factor) noexcept {
+    const float standing = 0.5f * gait.foot_lift;
+    for (std::size_t side = 0; side < 2; ++side) {
+        for (const GaitSeries::FootPart part : {GaitSeries::FootPart::heel, GaitSeries::FootPart::ball})
+            scale_about(series.foot(side, part, 1), standing, factor);
+        for (int axis = 0; axis < 3; ++axis)
+            scale_about(series.foot(side, GaitSeries::FootPart::rotation, axis), standing, factor);
+    }
+}
+
+std::vector<Quat> mean_models(const HarmonicGait& gait) {
+    std::vector<Quat> models;
+    for (std::size_t j = 0; j < gait.mean.size(); ++j) {
+        const int parent = gait.skeleton->parents[j];
+        models.push_back(parent == k_no_joint ? gait.mean[j] : normalized(models[at(parent)] * gait.mean[j]));
+    }
+    return models;
+}
+
 }  // namespace surefoot

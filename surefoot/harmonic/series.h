@@ -40,4 +40,17 @@ void delay(std::span<float> series, float lag) noexcept;
 /// The k-th wave times factor^(k - 1): above 1 turns are quicker and stops harder, below 1 all is rounder.
 void sharpen(std::span<float> series, float factor) noexcept;
 
+/// Adds a small turn to a joint's rotation: a rotation vector of the model [rad], `model` being the joint's own
+/// rotation in the mean pose. Exact to first order in the product of both turns.
+void add_turn(const GaitSeries& series, int joint, Quat model, Vec3 turn) noexcept;
+
+/// The same to the rotation of a foot that its series leads.
+void add_foot_turn(const HarmonicGait& gait, const GaitSeries& series, std::size_t side, Vec3 turn) noexcept;
+
+/// What the feet do in their swing times `factor`: heights and angles; where they stand stays.
+void scale_steps(const HarmonicGait& gait, const GaitSeries& series, float factor) noexcept;
+
+/// Every joint's model rotation when each is at its mean. Allocates.
+std::vector<Quat> mean_models(const HarmonicGait& gait);
+
 }  // namespace surefoot

@@ -138,20 +138,25 @@ TEST(FitClip, what_neither_steps_nor_stands_is_refused) {
     EXPECT_THROW(fit_clip(walk), Error);
 }
 
-// The issue asks for 0.8 degrees with 5 harmonics on the mean over these walks, which their hands, full of capture
-// noise that no number of harmonics follows, do not allow for every one of them.
+// 0.8 degrees is what the issue asks for, as a mean over all joints and the walks. Hands and toes, full of what no five
+// harmonics follow, keep the fastest above it; so does each walk if joints that never move are not counted.
 TEST(FitClip, five_harmonics_and_the_feets_own_keep_the_walks_of_the_cmu) {
     SUREFOOT_NEED_MOTION_DATA(folder);
     int walks = 0;
+    double all_joints = 0;
     for (const char* name :
-         {"02_01", "02_02", "07_01", "07_02", "07_03", "07_07", "07_08", "07_09", "07_10", "07_11"}) {
+         {"02_01", "02_02", "07_01", "07_02", "07_03", "07_06", "07_07", "07_08", "07_09", "07_10", "07_11"}) {
         const std::string path = (folder / "cmu_bvh" / (std::string(name) + ".bvh")).string();
         LoadResult loaded = load_clips({{path}});
         ASSERT_EQ(loaded.clips.size(), 1u);
-        for (const AnalyzedClip& walk : find_cycles(analyze_clip(std::move(loaded.clips[0].motion), name))) {
+        AnalyzedClip take = analyze_clip(std::move(loaded.clips[0].motion), name);
+        take.facts.cyclic = take.motion.cyclic = false;  // the ends of 07_06 happen to meet
+        for (const AnalyzedClip& walk : find_cycles(take)) {
             const HarmonicGait gait = fit_clip(walk);
             const FitError error = measure_fit(walk, gait, gait.coefficients);
-            EXPECT_LT(error.joint_deg, 1.25f) << name;
+            EXPECT_LT(error.joint_deg, 1.15f) << name;
+            EXPECT_LT(error.all_joints_deg, 0.92f) << name;
+            all_joints += static_cast<double>(error.all_joints_deg);
             EXPECT_LT(error.ankle_cm, 0.6f) << name;
             EXPECT_LT(error.ankle_max_cm, 1.7f) << name;
             EXPECT_LT(skate_of(bake_gait(gait, 0, 0, walk.motion.fps)), 1.2 * skate_of(walk)) << name;
@@ -159,6 +164,7 @@ TEST(FitClip, five_harmonics_and_the_feets_own_keep_the_walks_of_the_cmu) {
         }
     }
     EXPECT_GE(walks, 10);
+    EXPECT_LT(all_joints / walks, 0.8);
 }
 
 }  // namespace

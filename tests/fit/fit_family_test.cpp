@@ -140,7 +140,12 @@ TEST(BundledFamily, goes_as_fast_as_asked_and_changes_smoothly) {
         EXPECT_NEAR(clip.facts.speed, speed, 0.02f * speed);
         EXPECT_LT(clip.facts.root_disagreement_speed, 0.02f * speed) << speed << " m/s";
     }
-    EXPECT_LT(largest_change(gait, 0.05f, 0), 6);
+    for (const float turn : {0.0f, 60.0f, -120.0f}) {
+        const float whole = largest_change(gait, 0.05f, turn), half = largest_change(gait, 0.025f, turn);
+        EXPECT_LT(whole, 6) << turn;
+        EXPECT_LT(half, 0.6f * whole) << turn;
+        RecordProperty("largest_change_deg", std::to_string(whole));
+    }
 }
 
 TEST(FitFamilyOfFew, too_few_strides_are_refused) {

@@ -1,6 +1,6 @@
 #include <surefoot/base/random.h>
 #include <surefoot/graph/locomotion.h>
-#include <surefoot/harmonic/harmonic_gait.h>
+#include <surefoot/harmonic/gait_style.h>
 #include <tests/support/allocations.h>
 
 #include <gtest/gtest.h>
@@ -156,9 +156,15 @@ TEST(HarmonicGait, evaluating_allocates_nothing) {
     const HarmonicGait gait = legged_gait(2);
     std::vector<float> values(static_cast<std::size_t>(value_count(gait)));
     std::vector<Transform> locals(gait.mean.size());
+    const StyleBody body = make_style_body(gait);
+    GaitStyle style;
+    style.crouch = 0.1f;
+    style[BodyPart::spine].lag = 0.1f;
     const long before = test::allocation_count();
     for (int i = 0; i < 100; ++i) {
         values_at(gait, 0.02f * static_cast<float>(i), 3 * static_cast<float>(i) - 150, values);
+        apply_style(gait, body, style, values);
+        apply_slope(gait, body, static_cast<float>(i) - 50, values);
         pose(gait, values, 0.01f * static_cast<float>(i), locals);
     }
     EXPECT_EQ(test::allocation_count(), before);
