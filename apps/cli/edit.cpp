@@ -155,7 +155,9 @@ ClipEdit clean_clip(Motion& motion) {
 int print_roles(const std::string& file) {
     bool legs = true;
     const Skeleton* shown = nullptr;
-    std::vector<LoadedClip> clips = read_clip_files(file);
+    LoadOptions load;
+    load.still = true;
+    const std::vector<LoadedClip> clips = read_clip_files(file, load);
     for (const LoadedClip& clip : clips) {
         const Motion& motion = clip.motion;
         if (shown && *shown == *motion.skeleton) continue;  // one answer a skeleton

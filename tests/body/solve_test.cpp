@@ -241,7 +241,7 @@ TEST(BodySolve, knees_bend_forward_and_elbows_back_and_neither_beyond_its_limit)
 }
 
 TEST(BodySolve, the_spine_shares_lean_and_turn_over_any_number_of_joints) {
-    const Biped adult = make_biped();
+    const surefoot::Rig adult = make_biped();
     for (const int joints : {1, 2, 5, 9, 30}) {
         // The same trunk in equal parts.
         auto skeleton = std::make_shared<Skeleton>();

@@ -29,7 +29,7 @@ inline Rig finished(std::string name, std::shared_ptr<Skeleton> skeleton, const 
     const std::vector<Transform> rest = models_of(*rig.skeleton);
     for (const Side side : {Side::left, Side::right}) {
         // Soles where this foot's own ankle stands: legs may be unequal.
-        const float ankle = leg_size(1.75f).ankle_height;
+        const float ankle = leg_size(make_biped()).ankle_height;
         const int foot = roles[side == Side::left ? Role::left_foot : Role::right_foot];
         rig.legs[side] =
             make_leg(*rig.skeleton, roles, side, rest, rest[static_cast<std::size_t>(foot)].translation.y - ankle);
@@ -39,7 +39,9 @@ inline Rig finished(std::string name, std::shared_ptr<Skeleton> skeleton, const 
     return rig;
 }
 
-inline std::shared_ptr<Skeleton> copied(const Biped& biped) { return std::make_shared<Skeleton>(*biped.skeleton); }
+inline std::shared_ptr<Skeleton> copied(const surefoot::Rig& biped) {
+    return std::make_shared<Skeleton>(*biped.skeleton);
+}
 inline Transform& rest_of(Skeleton& skeleton, const RoleMap& roles, Role role) {
     return skeleton.rest[static_cast<std::size_t>(roles[role])];
 }
@@ -75,7 +77,7 @@ inline void twist_axes(Skeleton& skeleton, std::uint64_t seed) {
 
 inline std::vector<Rig> many_rigs() {
     std::vector<Rig> rigs;
-    const Biped adult = make_biped();
+    const surefoot::Rig adult = make_biped();
     rigs.push_back(finished("adult", copied(adult), adult.roles));
     {
         auto skeleton = copied(adult);
