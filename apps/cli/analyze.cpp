@@ -1,6 +1,7 @@
 // surefoot analyze CLIPS...: what each clip does, as a table, JSON or CSV.
 
 #include "command.h"
+#include "gait_clips.h"
 
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/analysis/facts_json.h>
@@ -68,7 +69,7 @@ Result analyze(const AnalyzeOptions& options) {
     const RoleOverrides overrides = overrides_of(options.roles);
     LoadOptions load;
     load.unit_scale = options.unit_scale;
-    LoadResult loaded = load_clips(options.clips, load);
+    LoadResult loaded = load_clips_and_gaits(options.clips, load);
     std::vector<Measured> measured(loaded.clips.size());
     Progress progress("measuring", loaded.clips.size());
     parallel_for(loaded.clips.size(), [&](std::size_t i) {

@@ -2,6 +2,7 @@
 
 #include "actor.h"
 #include "command.h"
+#include "gait_clips.h"
 #include "repairs.h"
 
 #include <surefoot/analysis/analyze.h>
@@ -113,8 +114,11 @@ int run(const Options& options) {
     author.retarget = !options.no_retarget;
     if (!options.skeleton.empty()) author.actor = read_actor(options.skeleton);
     author.fix = options.fix;
+    const auto loaded = [&] {
+        return load_clips_and_gaits(options.clips, {options.unit_scale}, author.actor ? &*author.actor : nullptr);
+    };
     const AuthorResult result = options.clips.empty() ? author_motions(make_default_set().clips, options.folder, author)
-                                                      : author_clips(options.clips, options.folder, author);
+                                                      : author_loaded(loaded(), options.folder, author);
     for (const std::string& failure : result.failed) fmt::print(stderr, "surefoot: {}\n", failure);
     for (const std::string& warning : result.warnings) fmt::print(stderr, "surefoot: {}\n", warning);
     if (options.json) {

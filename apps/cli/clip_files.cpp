@@ -1,5 +1,7 @@
 #include "clip_files.h"
 
+#include "gait_clips.h"
+
 #include <surefoot/base/error.h>
 #include <surefoot/host/files.h>
 #include <surefoot/io/bvh.h>
@@ -86,7 +88,7 @@ std::string as_glb(const std::vector<LoadedClip>& clips, const std::string& file
 
 std::vector<LoadedClip> read_clip_files(const std::string& path, const LoadOptions& options) {
     const std::string paths[] = {path};
-    LoadResult loaded = load_clips(paths, options);
+    LoadResult loaded = load_clips_and_gaits(paths, options);
     if (loaded.clips.empty() && loaded.failed.size() == 1) throw Error(loaded.failed.front().error, {}, {});
     for (const LoadFailure& failure : loaded.failed) fmt::print(stderr, "surefoot: {}\n", failure.error);
     if (loaded.clips.empty()) throw Error("there are no clips in it", path, "give a .bvh, .glb, .gltf or .fbx file");

@@ -1,9 +1,10 @@
 #include "fit_clips.h"
 
+#include "gait_clips.h"
+
 #include <surefoot/analysis/measure.h>
 #include <surefoot/base/error.h>
 #include <surefoot/host/parallel.h>
-#include <surefoot/io/load.h>
 #include <surefoot/motion/edit.h>
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace surefoot::cli {
 namespace {
 
 std::vector<LoadedClip> load(const FitInput& input) {
-    LoadResult loaded = load_clips(input.in);
+    LoadResult loaded = load_clips_and_gaits(input.in);
     for (const LoadFailure& failure : loaded.failed) fmt::print(stderr, "surefoot: {}\n", failure.error);
     if (loaded.clips.empty()) throw Error("there are no clips to fit", "fit", "give .bvh, .glb, .gltf or .fbx files");
     return std::move(loaded.clips);

@@ -58,25 +58,16 @@ const Personality& pick(const std::vector<Personality>& all, const std::string& 
     throw Error("there is no personality '" + name + "'", where, "there are " + names);
 }
 
-GaitStyle style_of(const PlayFitted& play) {
-    GaitStyle style;
-    const std::size_t hash = play.personality.rfind('#');
-    if (hash != std::string::npos) {
-        const std::string file = play.personality.substr(0, hash);
-        style = pick(read_personalities(read_file(file), file), play.personality.substr(hash + 1), file).style;
-    } else if (!play.personality.empty()) {
-        style = pick(bundled_personalities(), play.personality, "--personality").style;
-    }
-    for (const std::string& text : play.set) {
-        const std::size_t equals = text.find('=');
-        const char *first = text.data() + (equals == std::string::npos ? text.size() : equals + 1),
-                   *end = text.data() + text.size();
-        float value = 0;
-        if (first == end || fast_float::from_chars(first, end, value).ptr != end)
-            throw Error("'" + text + "' sets no slider", "-p", "write name=number, as spine.lean_deg=10");
-        set_slider(style, text.substr(0, equals), value, "-p");
-    }
-    return style;
+/// Files go first.
+const NamedGait* named_of(const std::string& gait) {
+    return std::filesystem::exists(gait) ? nullptr : find_fitted_gait(gait);
+}
+
+HarmonicGait read_fitted(const std::string& name) {
+    const NamedGait* named = named_of(name);
+    HarmonicGait gait = named ? fitted_gait(name) : gait_from_json(read_file(name), name);
+    if (named) gait.name = named->name;
+    return gait;
 }
 
 }  // namespace
@@ -110,30 +101,54 @@ bool is_fitted(const std::string& gait) {
     return std::filesystem::path(gait).extension() == ".json" || find_fitted_gait(gait) != nullptr;
 }
 
+GaitStyle fitted_style(const std::string& personality, std::span<const std::string> sliders) {
+    GaitStyle style;
+    const std::size_t hash = personality.rfind('#');
+    if (hash != std::string::npos) {
+        const std::string file = personality.substr(0, hash);
+        style = pick(read_personalities(read_file(file), file), personality.substr(hash + 1), file).style;
+    } else if (!personality.empty()) {
+        style = pick(bundled_personalities(), personality, "--personality").style;
+    }
+    for (const std::string& text : sliders) {
+        const std::size_t equals = text.find('=');
+        const char *first = text.data() + (equals == std::string::npos ? text.size() : equals + 1),
+                   *end = text.data() + text.size();
+        float value = 0;
+        if (first == end || fast_float::from_chars(first, end, value).ptr != end)
+            throw Error("'" + text + "' sets no slider", "-p", "write name=number, as spine.lean_deg=10");
+        set_slider(style, text.substr(0, equals), value, "-p");
+    }
+    return style;
+}
+
+AnalyzedClip bake_fitted(const std::string& name, std::optional<float> speed, std::optional<float> turn,
+                         const BakeOptions& options) {
+    const NamedGait* named = named_of(name);
+    const HarmonicGait gait = read_fitted(name);
+    if (!gait.family() && (speed || turn))
+        throw Error("it is the gait of one clip and has a speed and turn of its own", name,
+                    "leave --speed and --turn out");
+    if (gait.family() && !named && !speed)
+        throw Error("a family has no speed of its own", name, "ask for one: --speed 1.4");
+    return bake_gait(gait, speed.value_or(named ? named->speed : 0), turn.value_or(named ? named->turn_deg : 0),
+                     options);
+}
+
 int play_fitted(const PlayFitted& play) {
-    const bool file = std::filesystem::exists(play.gait);
-    const NamedGait* named = file ? nullptr : find_fitted_gait(play.gait);
-    HarmonicGait gait = named ? fitted_gait(play.gait) : gait_from_json(read_file(play.gait), play.gait);
-    if (named) gait.name = named->name;
     if (play.out.empty()) {
-        describe(gait, named, play.json);
+        describe(read_fitted(play.gait), named_of(play.gait), play.json);
         return 0;
     }
     check_clip_output(play.out);
-    if (!gait.family() && (play.speed || play.turn))
-        throw Error("it is the gait of one clip and has a speed and turn of its own", play.gait,
-                    "leave --speed and --turn out");
-    if (gait.family() && !named && !play.speed)
-        throw Error("a family has no speed of its own", play.gait, "ask for one: --speed 1.4");
-    const float speed = play.speed.value_or(named ? named->speed : 0),
-                turn = play.turn.value_or(named ? named->turn_deg : 0);
-    AnalyzedClip baked = bake_gait(gait, speed, turn, BakeOptions{style_of(play), play.slope, play.fps});
+    AnalyzedClip baked =
+        bake_fitted(play.gait, play.speed, play.turn, {fitted_style(play.personality, play.set), play.slope, play.fps});
     if (!play.personality.empty())
         baked.motion.name = baked.facts.name += "_" + play.personality.substr(play.personality.rfind('#') + 1);
     fmt::print(stderr, "{}: {:.3f} m/s, {:.1f} deg/s, {}\n", baked.facts.name, baked.facts.speed, baked.facts.turn,
                skate_text(skate_of(baked)));
     if (!play.rig.empty()) {
-        const Actor source{{baked.motion.skeleton, baked.roles.roles, baked.legs, {}}, baked.roles, gait.name};
+        const Actor source{{baked.motion.skeleton, baked.roles.roles, baked.legs, {}}, baked.roles, play.gait};
         baked = retargeted(baked, source, read_actor(play.rig, parse_roles(play.roles, "--roles")));
     }
     if (play.cycles > 1)

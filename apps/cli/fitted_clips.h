@@ -2,10 +2,12 @@
 // Clips of fitted gaits, as files and in words; and `surefoot gait` of one.
 
 #include <surefoot/analysis/analyze.h>
+#include <surefoot/fit/fit_gait.h>
 #include <surefoot/harmonic/harmonic_gait.h>
 #include <surefoot/io/load.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,13 @@ std::string skate_text(double cm_s);
 
 /// A baked gait with its facts as extras.
 LoadedClip as_clip(AnalyzedClip baked);
+
+/// A personality (a bundled one, FILE.json#NAME, or none) and sliders as "spine.lean_deg=10" on top. Throws Error.
+GaitStyle fitted_style(const std::string& personality, std::span<const std::string> sliders);
+
+/// A cycle of a fitted gait, at a speed and turn that are its own where none are given. Throws Error.
+AnalyzedClip bake_fitted(const std::string& gait, std::optional<float> speed, std::optional<float> turn,
+                         const BakeOptions& options);
 
 /// What `surefoot gait` is asked for of a fitted gait.
 struct PlayFitted {

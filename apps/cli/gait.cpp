@@ -4,10 +4,10 @@
 #include "clip_files.h"
 #include "command.h"
 #include "fitted_clips.h"
+#include "gait_clips.h"
 #include "parameters.h"
 
 #include <surefoot/author/fitted_gaits.h>
-#include <surefoot/author/project.h>
 #include <surefoot/base/error.h>
 #include <surefoot/gait_clip/gait_clip.h>
 #include <surefoot/host/files.h>
@@ -32,8 +32,6 @@ struct Options {
     bool check = false, json = false;
     CLI::Option *speed = nullptr, *turn = nullptr;  // whether they were given
 };
-
-constexpr Bundle k_gaits{"gait", bundled_gait, bundled_gait_names};
 
 int list(bool json) {
     Json all = Json::array();
@@ -77,9 +75,7 @@ void describe(const Gait& gait, const std::vector<double>& values) {
 
 /// Writes the gait as a clip of the character asked for, and says what it does.
 void bake(const Gait& gait, const std::vector<double>& values, const Options& options) {
-    const Actor found = read_actor(options.rig, parse_roles(options.roles, "--roles"));
-    const GaitActor actor =
-        make_gait_actor(found.body.skeleton, found.roles, found.body.legs, found.body.shape, options.rig);
+    const GaitActor actor = gait_actor(read_actor(options.rig, parse_roles(options.roles, "--roles")));
     for (const std::string& control : bind_gait(gait).unknown)
         std::fprintf(stderr, "%s: the control '%s' moves nothing; docs/gaits.md lists those that do\n",
                      options.gait.c_str(), control.c_str());
@@ -94,16 +90,9 @@ void bake(const Gait& gait, const std::vector<double>& values, const Options& op
         print(
             fmt::format("{}: {:.3f} s, {:.3f} m/s, {:.1f} deg/s, stride {:.3f} m, planted feet slide at {:.2f} cm/s\n",
                         facts.name, facts.duration, facts.speed, facts.turn, facts.stride, 100 * facts.skate));
-    ProjectClip notes;
-    notes.facts = facts;
-    notes.source = options.gait;
-    notes.provenance = {"the gait \"" + gait.name + "\"" +
-                        (options.preset.empty() ? "" : ", preset \"" + options.preset + "\"")};
-    LoadedClip loaded;
-    loaded.file = facts.name;
-    loaded.extras = clip_extras_json(notes);
-    loaded.motion = std::move(clip.motion);
-    write_clip_file({loaded}, options.out, {{}, true, clip.legs});
+    const Legs legs = clip.legs;
+    const std::string source = options.gait + (options.preset.empty() ? "" : "#" + options.preset);
+    write_clip_file({as_loaded(std::move(clip), source)}, options.out, {{}, true, legs});
 }
 
 int run_fitted(const Options& options) {
@@ -126,8 +115,7 @@ int run(const Options& options) {
     if (!options.table.empty() && extension != ".csv" && extension != ".json")
         throw Error("a table is written as .csv or .json", options.table, "name such a file");
     if (!options.out.empty()) check_clip_output(options.out);
-    const NamedText source = find_text(options.gait, k_gaits);
-    const Gait gait = read_gait(source.text, source.where, GaitOutputs::everything);
+    const Gait gait = read_gait_named(options.gait, GaitOutputs::everything);
     const std::vector<double> values = gait_values(gait, options.preset, options.set);
     for (const std::string& warning : gait.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
     if (!options.table.empty() || !options.plot.empty()) {

@@ -230,6 +230,13 @@ AuthorResult author_clips(std::span<const std::string> paths, const fs::path& fo
     LoadOptions load;
     load.unit_scale = options.unit_scale;
     LoadResult loaded = load_clips(paths, load);
+    if (loaded.clips.empty() && loaded.failed.empty())
+        throw Error("there are no clips here", paths.empty() ? "CLIPS" : paths.front(),
+                    "give files or folders of .bvh, .glb, .gltf or .fbx");
+    return author_loaded(std::move(loaded), folder, options);
+}
+
+AuthorResult author_loaded(LoadResult loaded, const fs::path& folder, const AuthorOptions& options) {
     AuthorResult result;
     for (const LoadFailure& failure : loaded.failed)
         result.failed.push_back(failure.error.find(failure.file.substr(0, failure.file.rfind('#'))) == std::string::npos
@@ -237,8 +244,7 @@ AuthorResult author_clips(std::span<const std::string> paths, const fs::path& fo
                                     : failure.error);
     if (loaded.clips.empty()) {
         if (result.failed.empty())
-            throw Error("there are no clips here", paths.empty() ? "CLIPS" : paths.front(),
-                        "give files or folders of .bvh, .glb, .gltf or .fbx");
+            throw Error("there are no clips here", "CLIPS", "give files or folders of .bvh, .glb, .gltf or .fbx");
         const std::size_t others = result.failed.size() - 1;
         throw Error(result.failed.front() + (others > 0 ? fmt::format(" (and {} more could not be read)", others) : ""),
                     {}, {});

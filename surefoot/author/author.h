@@ -75,6 +75,9 @@ struct AuthorResult {
 AuthorResult author_clips(std::span<const std::string> paths, const std::filesystem::path& folder,
                           const AuthorOptions& options = {});
 
+/// The same from clips that are loaded already, with those that could not be.
+AuthorResult author_loaded(LoadResult loaded, const std::filesystem::path& folder, const AuthorOptions& options = {});
+
 /// The same from motions in memory (the generated default set, made clips).
 AuthorResult author_motions(std::vector<Motion> motions, const std::filesystem::path& folder,
                             const AuthorOptions& options = {});
