@@ -141,7 +141,7 @@ std::string why_not_locomotion(const BodyFeatures& b, const ClipFacts& facts, fl
     // A sprinter sampled 24 times a second shows one or two standing frames a step.
     const float least = std::fabs(facts.speed) > 3 * tempo ? 0.05f : 0.12f;
     if (b.standing < least) return "the feet hardly touch the ground: it flies, swims or hangs";
-    const bool take = lasts_like_a_take(facts);
+    const bool take = !facts.cyclic && lasts_like_a_take(facts);  // a long idle is none
     if (!take && b.airborne > 0.45f * tempo)
         return fmt::format("both feet are off the ground for {:.2f} s: it jumps or falls", b.airborne);
     const bool level = std::fabs(facts.slope) < 3 && !b.uneven;
