@@ -16,6 +16,7 @@ std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
 struct Waves {
     std::array<float, 1 + 2 * k_most_harmonics> wave;
 
+    Waves() noexcept {}  // not set
     Waves(float phase, int harmonics) noexcept {
         const SinCos first = sin_cos(2 * k_pi * static_cast<double>(phase));
         double c = 1, s = 0;
@@ -46,7 +47,7 @@ class SeriesReader {
         const float x = next(), y = next();
         return {x, y, next()};
     }
-    const float* rest() const noexcept { return values_; }
+    void use(const Waves& waves) noexcept { waves_ = &waves; }
 
   private:
     const float* values_;
@@ -54,26 +55,16 @@ class SeriesReader {
     int length_;
 };
 
-FootStep step_of(const GaitRhythm& rhythm, std::size_t side) noexcept {
-    const float strike = side == 0 ? 0.0f : 0.5f, lift = rhythm.lift[side], seconds = 1 / rhythm.frequency;
-    const float stance = time_share(rhythm, strike + lift) - time_share(rhythm, strike);
-    return {lift, stance * seconds, seconds};
-}
-
 /// The foot seen from the root, from its series at its own phase.
 FootGoal foot_goal(const HarmonicGait& gait, const GaitRhythm& rhythm, std::size_t side, float phase,
-                   const float* values) noexcept {
+                   std::span<const float> values) noexcept {
     const float strike = side == 0 ? 0.0f : 0.5f, share = phase - strike - std::floor(phase - strike);
-    const Waves waves(foot_series_phase(share, rhythm.lift[side], gait.foot_lift), gait.foot_harmonics);
-    SeriesReader read(values, waves, gait.foot_harmonics);
-    const Quat rotation = gait.foot_mean[side] * from_rotation_vector(read.next_vector());
-    const Vec3 heel = read.next_vector(), ball = read.next_vector();
+    const FootPrint print = foot_print(gait, values, side, foot_series_phase(share, rhythm.lift[side], gait.foot_lift));
     const FootStep step = step_of(rhythm, side);
     const float elapsed = (time_share(rhythm, strike + share) - time_share(rhythm, strike)) / rhythm.frequency;
     const RootFrame moved = integrate(rhythm.velocity, rhythm.turn_rate, foot_age(step, step, elapsed));
-    const Transform print = stand_on(gait.legs.side[side], rotation, heel, ball);
-    return {inverse(to_transform(moved)) * print,
-            normalized(gait.toes_mean[side] * from_rotation_vector(read.next_vector()))};
+    const Transform stands = stand_on(gait.legs.side[side], print.rotation, print.heel, print.ball);
+    return {inverse(to_transform(moved)) * stands, print.toes};
 }
 
 Transform model_of(const Skeleton& skeleton, std::span<const Transform> locals, int joint) noexcept {
@@ -93,14 +84,14 @@ float hip_drop(Vec3 hip, Vec3 ankle, float leg) noexcept {
 }
 
 /// Lowers the hips as far as both legs need.
-void lower_hips(const HarmonicGait& gait, const std::array<FootGoal, 2>& feet, std::span<Transform> locals) noexcept {
-    const Skeleton& skeleton = *gait.skeleton;
+void lower_hips(const Skeleton& skeleton, const Legs& soles, const std::array<FootGoal, 2>& feet,
+                std::span<Transform> locals) noexcept {
     float drop = 0;
     for (std::size_t side = 0; side < 2; ++side) {
-        const Leg& leg = gait.soles.side[side];
+        const Leg& leg = soles.side[side];
         drop += hip_drop(model_of(skeleton, locals, leg.upper).translation, feet[side].foot.translation, leg.length());
     }
-    const int hips = gait.soles.hips;
+    const int hips = soles.hips;
     const Transform parent = model_of(skeleton, locals, skeleton.parents[at(hips)]);
     locals[at(hips)].translation += rotate(conjugate(parent.rotation), {0, -drop, 0});
 }
@@ -140,6 +131,52 @@ const char* problem_of_ranges(const GaitBasis& basis) noexcept {
             return "the speeds or turns of the fitted strides are not usable";
     }
     return nullptr;
+}
+
+/// The numbers from `first` on, as many as `values` holds: the sum of the basis' terms.
+void add_terms(const HarmonicGait& gait, float speed, float turn_deg, std::size_t first,
+               std::span<float> values) noexcept {
+    std::array<float, k_most_basis_terms> weights;
+    term_weights(gait.basis, speed, turn_deg, weights);
+    const std::size_t stride = at(value_count(gait));
+    std::fill(values.begin(), values.end(), 0.0f);
+    for (std::size_t t = 0; t < at(gait.basis.terms()); ++t) {
+        if (weights[t] == 0) continue;
+        const float* from = gait.coefficients.data() + t * stride + first;
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] += weights[t] * from[i];
+    }
+}
+
+/// A family's root moves as asked; rhythms stay sane.
+void bound_rhythm(const HarmonicGait& gait, float speed, float turn_deg, float* rhythm) noexcept {
+    if (gait.family()) {
+        const SinCos travel = sin_cos(static_cast<double>(gait.basis.travel_deg) * k_pi / 180);
+        rhythm[0] = speed * static_cast<float>(travel.sin);
+        rhythm[1] = speed * gait.basis.climb;
+        rhythm[2] = speed * static_cast<float>(travel.cos);
+        rhythm[3] = turn_deg * k_radians_per_degree;
+    }
+    constexpr float k_slowest_step = 0.2f, k_slowest_breath = 0.02f;  // [Hz]
+    rhythm[4] = std::clamp(rhythm[4], gait.family() ? k_slowest_step : k_slowest_breath, 4.0f);
+    rhythm[5] = std::clamp(rhythm[5], 0.2f, 0.8f);
+    for (int side = 0; side < 2; ++side) rhythm[6 + side] = std::clamp(rhythm[6 + side], 0.15f, 0.85f);
+}
+
+std::size_t foot_values(const HarmonicGait& gait) noexcept { return at(k_foot_series * (1 + 2 * gait.foot_harmonics)); }
+/// Where a foot's series begin among the values.
+std::size_t foot_values(const HarmonicGait& gait, std::size_t side) noexcept {
+    return at(value_count(gait) - k_rhythm_values) - (2 - side) * foot_values(gait);
+}
+
+FootPrint read_print(const HarmonicGait& gait, const float* values, std::size_t side, float series_phase) noexcept {
+    const Waves waves(series_phase, gait.foot_harmonics);
+    SeriesReader read(values, waves, gait.foot_harmonics);
+    FootPrint print;
+    print.rotation = gait.foot_mean[side] * from_rotation_vector(read.next_vector());
+    print.heel = read.next_vector();
+    print.ball = read.next_vector();
+    print.toes = normalized(gait.toes_mean[side] * from_rotation_vector(read.next_vector()));
+    return print;
 }
 
 }  // namespace
@@ -199,6 +236,16 @@ void powers_at(const GaitBasis& basis, GaitMode mode, float speed, float turn_de
         }
 }
 
+void term_weights(const GaitBasis& basis, float speed, float turn_deg, std::span<float> weights) noexcept {
+    const float running = share_of_running(basis, speed);
+    for (int m = 0; m < basis.modes; ++m) {
+        const float share = m == 0 ? 1 - running : running;
+        const std::span<float> of_mode = weights.subspan(at(m * basis.terms_of_mode()), at(basis.terms_of_mode()));
+        powers_at(basis, static_cast<GaitMode>(m), speed, turn_deg, of_mode);
+        for (float& weight : of_mode) weight *= share;
+    }
+}
+
 float share_of_running(const GaitBasis& basis, float speed) noexcept {
     if (basis.modes < 2) return 0;
     const float t = std::clamp((speed - basis.walk_until) / (basis.run_from - basis.walk_until), 0.0f, 1.0f);
@@ -206,37 +253,20 @@ float share_of_running(const GaitBasis& basis, float speed) noexcept {
 }
 
 void values_at(const HarmonicGait& gait, float speed, float turn_deg, std::span<float> values) noexcept {
-    std::array<float, k_most_basis_terms> powers;
-    const int count = gait.basis.terms_of_mode();
-    const float running = share_of_running(gait.basis, speed);
-    std::fill(values.begin(), values.end(), 0.0f);
-    for (int m = 0; m < gait.basis.modes; ++m) {
-        const float share = m == 0 ? 1 - running : running;
-        if (share == 0) continue;
-        powers_at(gait.basis, static_cast<GaitMode>(m), speed, turn_deg, powers);
-        for (int t = 0; t < count; ++t) {
-            const float weight = share * powers[at(t)];
-            const float* from = gait.coefficients.data() + at(m * count + t) * values.size();
-            for (std::size_t i = 0; i < values.size(); ++i) values[i] += weight * from[i];
-        }
-    }
-    float* rhythm = values.data() + values.size() - k_rhythm_values;
-    if (gait.family()) {
-        const SinCos travel = sin_cos(static_cast<double>(gait.basis.travel_deg) * k_pi / 180);
-        rhythm[0] = speed * static_cast<float>(travel.sin);
-        rhythm[1] = speed * gait.basis.climb;
-        rhythm[2] = speed * static_cast<float>(travel.cos);
-        rhythm[3] = turn_deg * k_radians_per_degree;
-    }
-    constexpr float k_slowest_step = 0.2f, k_slowest_breath = 0.02f;  // [Hz]
-    rhythm[4] = std::clamp(rhythm[4], gait.family() ? k_slowest_step : k_slowest_breath, 4.0f);
-    rhythm[5] = std::clamp(rhythm[5], 0.2f, 0.8f);
-    for (int side = 0; side < 2; ++side) rhythm[6 + side] = std::clamp(rhythm[6 + side], 0.15f, 0.85f);
+    add_terms(gait, speed, turn_deg, 0, values);
+    bound_rhythm(gait, speed, turn_deg, values.data() + values.size() - k_rhythm_values);
 }
 
 GaitRhythm rhythm_of(const HarmonicGait&, std::span<const float> values) noexcept {
     const float* r = values.data() + values.size() - k_rhythm_values;
     return {{r[0], r[1], r[2]}, r[3], r[4], r[5], {r[6], r[7]}};
+}
+
+GaitRhythm rhythm_at(const HarmonicGait& gait, float speed, float turn_deg) noexcept {
+    std::array<float, k_rhythm_values> values;
+    add_terms(gait, speed, turn_deg, at(value_count(gait) - k_rhythm_values), values);
+    bound_rhythm(gait, speed, turn_deg, values.data());
+    return rhythm_of(gait, values);
 }
 
 float time_share(const GaitRhythm& rhythm, float phase) noexcept {
@@ -253,25 +283,60 @@ float foot_series_phase(float share, float lift, float series_lift) noexcept {
     return share < lift ? share / lift * series_lift : series_lift + (share - lift) / (1 - lift) * (1 - series_lift);
 }
 
-void pose(const HarmonicGait& gait, std::span<const float> values, float phase, std::span<Transform> locals,
-          const HarmonicPoseOptions& options) noexcept {
-    const Waves waves(phase - std::floor(phase), gait.harmonics);
-    SeriesReader read(values.data(), waves, gait.harmonics);
-    for (std::size_t j = 0; j < gait.mean.size(); ++j)
+FootPrint foot_print(const HarmonicGait& gait, std::span<const float> values, std::size_t side,
+                     float series_phase) noexcept {
+    return read_print(gait, values.data() + foot_values(gait, side), side, series_phase);
+}
+
+FootPrint foot_print_at(const HarmonicGait& gait, float speed, float turn_deg, std::size_t side,
+                        float series_phase) noexcept {
+    std::array<float, k_foot_series*(1 + 2 * k_most_harmonics)> values;
+    add_terms(gait, speed, turn_deg, foot_values(gait, side), {values.data(), foot_values(gait)});
+    return read_print(gait, values.data(), side, series_phase);
+}
+
+FootStep step_of(const GaitRhythm& rhythm, std::size_t side) noexcept {
+    const float strike = side == 0 ? 0.0f : 0.5f, lift = rhythm.lift[side], seconds = 1 / rhythm.frequency;
+    const float stance = time_share(rhythm, strike + lift) - time_share(rhythm, strike);
+    return {lift, stance * seconds, seconds};
+}
+
+void joint_pose(const HarmonicGait& gait, std::span<const float> values, std::span<const std::uint8_t> limb,
+                std::span<const float> phases, std::span<Transform> locals) noexcept {
+    std::array<Waves, k_most_phases> waves;
+    for (std::size_t i = 0; i < phases.size(); ++i)
+        waves[i] =
+            i > 0 && phases[i] == phases[0] ? waves[0] : Waves(phases[i] - std::floor(phases[i]), gait.harmonics);
+    const auto of = [&](std::size_t joint) -> const Waves& { return waves[limb.empty() ? 0 : limb[joint]]; };
+    SeriesReader read(values.data(), waves[0], gait.harmonics);
+    for (std::size_t j = 0; j < gait.mean.size(); ++j) {
+        read.use(of(j));
         locals[j] = {normalized(gait.mean[j] * from_rotation_vector(read.next_vector())),
                      gait.skeleton->rest[j].translation};
-    for (const std::int16_t joint : gait.moving) locals[at(joint)].translation = read.next_vector();
+    }
+    for (const std::int16_t joint : gait.moving) {
+        read.use(of(at(joint)));
+        locals[at(joint)].translation = read.next_vector();
+    }
+}
+
+void settle_on_feet(const Skeleton& skeleton, const Legs& soles, const LegPaths& legs, std::array<FootGoal, 2>& goals,
+                    std::span<Transform> locals) noexcept {
+    for (std::size_t side = 0; side < 2; ++side) bend_toes(soles.side[side], skeleton, goals[side]);
+    lower_hips(skeleton, soles, goals, locals);
+    reach_feet(legs, goals, locals);
+}
+
+void pose(const HarmonicGait& gait, std::span<const float> values, float phase, std::span<Transform> locals,
+          const HarmonicPoseOptions& options) noexcept {
+    joint_pose(gait, values, {}, {&phase, 1}, locals);
     if (!options.feet || gait.legs.count == 0) return;
     const GaitRhythm rhythm = rhythm_of(gait, values);
-    const float* feet = read.rest();
-    const int foot_values = k_foot_series * (1 + 2 * gait.foot_harmonics);
-    std::array<FootGoal, 2> goals{foot_goal(gait, rhythm, 0, phase, feet),
-                                  foot_goal(gait, rhythm, 1, phase, feet + foot_values)};
-    if (gait.family()) {
-        for (std::size_t side = 0; side < 2; ++side) bend_toes(gait.soles.side[side], *gait.skeleton, goals[side]);
-        lower_hips(gait, goals, locals);
-    }
-    reach_feet(gait.legs, goals, locals);
+    std::array<FootGoal, 2> goals{foot_goal(gait, rhythm, 0, phase, values), foot_goal(gait, rhythm, 1, phase, values)};
+    if (gait.family())
+        settle_on_feet(*gait.skeleton, gait.soles, gait.legs, goals, locals);
+    else
+        reach_feet(gait.legs, goals, locals);
 }
 
 }  // namespace surefoot

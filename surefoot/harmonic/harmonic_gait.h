@@ -97,6 +97,9 @@ std::string problem(const HarmonicGait& gait);
 /// The products of powers in the order 1, v, w, v v, v w, w w, …: basis.terms_of_mode() numbers.
 void powers_at(const GaitBasis& basis, GaitMode mode, float speed, float turn_deg, std::span<float> powers) noexcept;
 
+/// What each term of the basis weighs: basis.terms() numbers, 0 for those of a mode that has no share.
+void term_weights(const GaitBasis& basis, float speed, float turn_deg, std::span<float> weights) noexcept;
+
 /// Share of running at a speed, 0 to 1, with slope 0 at both ends.
 float share_of_running(const GaitBasis& basis, float speed) noexcept;
 
@@ -106,6 +109,8 @@ float share_of_running(const GaitBasis& basis, float speed) noexcept;
 void values_at(const HarmonicGait& gait, float speed, float turn_deg, std::span<float> values) noexcept;
 
 GaitRhythm rhythm_of(const HarmonicGait& gait, std::span<const float> values) noexcept;
+/// The rhythm alone at a speed and turn, the same bits: what keeps time without a pose.
+GaitRhythm rhythm_at(const HarmonicGait& gait, float speed, float turn_deg) noexcept;
 
 /// Share of a cycle's time [0, 1) at a phase, which may be any number (whole cycles are added), and back.
 float time_share(const GaitRhythm& rhythm, float phase) noexcept;
@@ -113,6 +118,33 @@ float phase_of(const GaitRhythm& rhythm, float share) noexcept;
 
 /// Where a foot's series is when its own phase (0 at its strike) is `share`: stance over stance, swing over swing.
 float foot_series_phase(float share, float lift, float series_lift) noexcept;
+
+/// A foot as its series have it, seen from where the root is in the middle of the stance.
+struct FootPrint {
+    Quat rotation;
+    Vec3 heel, ball;  ///< [m]
+    Quat toes;        ///< local rotation of the toe joint
+};
+/// At a phase of the foot's series (`foot_series_phase`), 0 to 1.
+FootPrint foot_print(const HarmonicGait& gait, std::span<const float> values, std::size_t side,
+                     float series_phase) noexcept;
+
+/// The same without the values: for those who want one foot at one moment.
+FootPrint foot_print_at(const HarmonicGait& gait, float speed, float turn_deg, std::size_t side,
+                        float series_phase) noexcept;
+
+/// Stance and duration of a foot's step [s].
+FootStep step_of(const GaitRhythm& rhythm, std::size_t side) noexcept;
+
+/// The joints' series alone: joint j at `phases[limb[j]]`; an empty `limb`: all at phases[0]. At most k_most_phases.
+inline constexpr int k_most_phases = 8;
+void joint_pose(const HarmonicGait& gait, std::span<const float> values, std::span<const std::uint8_t> limb,
+                std::span<const float> phases, std::span<Transform> locals) noexcept;
+
+/// Puts the feet of a pose where they shall be: toes bend up from the floor, the hips sink as far as both legs need so
+/// that none snaps straight, and the legs are solved.
+void settle_on_feet(const Skeleton& skeleton, const Legs& soles, const LegPaths& legs, std::array<FootGoal, 2>& goals,
+                    std::span<Transform> locals) noexcept;
 
 struct HarmonicPoseOptions {
     bool feet = true;  ///< legs solved for the feet; off: the joints' series alone
