@@ -1,11 +1,14 @@
-// surefoot walk PROJECT: walks a character over a course in three modes and says how its feet stand.
+// surefoot walk PROJECT|CLIP|GAIT: walks a character over a course in three modes and says how its feet stand.
 
 #include "command.h"
+#include "live_gait.h"
 
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/author/project.h>
 #include <surefoot/bake/character.h>
 #include <surefoot/base/error.h>
+#include <surefoot/course/live_play.h>
+#include <surefoot/course/transitions.h>
 #include <surefoot/course/walk_report.h>
 #include <surefoot/host/files.h>
 #include <surefoot/io/load.h>
@@ -29,19 +32,24 @@ struct Options {
     std::string out, metrics, filmstrip, style;
     std::vector<std::string> set;
     float grade = 15, speed = 1.4f, seconds = 10;
-    bool json = false, all = false;
+    bool json = false, all = false, transitions = false;
+    CLI::Option* given_speed = nullptr;
 };
 
-/// What walks: the character of a project, or the steady cycle of a clip.
+/// What walks: the character of a project, the steady cycle of a clip, or gaits played live.
 struct Walking {
     std::string name;
     Character character;
+    LiveGait live;
     RoleMap roles;
     std::unique_ptr<Walker> walker;
 };
 
 /// The cycle of a clip file whose speed is nearest to the one asked for.
 void load_clip(const Options& options, Walking& walking) {
+    if (options.path != "straight" || options.transitions)
+        throw Error("a clip goes the way it was made", options.transitions ? "--transitions" : "--path",
+                    "only gaits that are played live can: surefoot walk human");
     if (!options.set.empty())
         throw Error("a clip has no axes to set", "--set", "walk a project made by 'surefoot author'");
     const std::string paths[] = {options.project};
@@ -113,6 +121,9 @@ LocomotionRequest request_of(const Options& options, const LocomotionGraph& grap
 }
 
 void load_project_character(const Options& options, Walking& walking) {
+    if (options.path != "straight" || options.transitions)
+        throw Error("clips go straight ahead so far", options.transitions ? "--transitions" : "--path",
+                    "only gaits that are played live can: surefoot walk human");
     std::filesystem::path file = options.project;
     if (std::filesystem::is_directory(file)) file /= "project.json";
     std::vector<std::string> warnings;
@@ -131,6 +142,21 @@ void load_project_character(const Options& options, Walking& walking) {
                    options.speed, walking.name);
 }
 
+void load_gait(Options& options, Walking& walking) {
+    if (!options.set.empty() || !options.style.empty())
+        throw Error("a gait has neither axes nor styles to set", "--set, --style", "leave them out");
+    walking.live = read_live_gait(options.project);
+    const LiveGait& gait = walking.live;
+    walking.name = gait.name;
+    walking.roles = gait.roles;
+    if (options.given_speed->count() == 0) options.speed = gait.speed;
+    if (!(options.speed >= gait.least_speed && options.speed <= gait.most_speed))
+        throw Error(fmt::format("{:g} m/s is not a speed of this gait", options.speed), options.project,
+                    fmt::format("ask for {:g} to {:g} m/s", gait.least_speed, gait.most_speed));
+    walking.walker = make_live_walker(
+        gait.rig, live_path(options.path, {.speed = options.speed, .turn = gait.turn_deg}, options.seconds));
+}
+
 FootMode mode_from(const std::string& text) {
     return text == "none" ? FootMode::none : text == "colvin2013" ? FootMode::colvin2013 : FootMode::surefoot;
 }
@@ -142,8 +168,6 @@ void check_extension(const char* option, const std::string& file, const std::str
 }
 
 void check(const Options& options) {
-    if (options.path != "straight")
-        throw Error("the path '" + options.path + "' cannot be walked yet", "--path", "use --path straight");
     if (options.all && !(options.out.empty() && options.filmstrip.empty()))
         throw Error("--all walks every course, a scene or filmstrip shows one", "--all", "name one --course");
     check_extension("--output", options.out, ".glb");
@@ -169,13 +193,25 @@ void walk_all(const Options& options, Walking& walking) {
     if (!options.metrics.empty()) write_file(options.metrics, json);
 }
 
-int run(const Options& options) {
+/// Exit code 1 where some change of gait is rougher than it may be.
+int judge_transitions(const Options& options, const Walking& walking) {
+    const TransitionReport report = measure_transitions(walking.live.rig, usual_tasks(walking.live.rig));
+    fmt::print("{}", options.json ? transitions_json(report) : transitions_table(report));
+    if (!options.metrics.empty()) write_file(options.metrics, transitions_json(report));
+    return report.smooth() ? 0 : 1;
+}
+
+int run(Options options) {
     check(options);
     const Course course = make_course(options.course, options.grade);  // before long work: names are easily mistyped
     Walking walking;
-    is_clip_file(options.project) || options.project.find('#') != std::string::npos
-        ? load_clip(options, walking)
-        : load_project_character(options, walking);
+    if (is_live_gait(options.project))
+        load_gait(options, walking);
+    else if (is_clip_file(options.project) || options.project.find('#') != std::string::npos)
+        load_clip(options, walking);
+    else
+        load_project_character(options, walking);
+    if (options.transitions) return judge_transitions(options, walking);
     if (options.all) {
         walk_all(options, walking);
         return 0;
@@ -201,8 +237,10 @@ extern const Command k_walk;
 const Command k_walk{
     "walk", "Walk a character over a course and measure how its feet stand", [](CLI::App& app) {
         auto options = std::make_shared<Options>();
-        app.add_option("PROJECT", options->project,
-                       "A project made by 'surefoot author' (its folder or file), or a clip")
+        app.add_option(
+               "PROJECT", options->project,
+               "A project made by 'surefoot author' (its folder or file), a clip, or a fitted gait to be played live: "
+               "its file, or the name of a bundled one (human)")
             ->required();
         app.add_option("--course", options->course, "What to walk over")
             ->check(CLI::IsMember(course_names()))
@@ -214,10 +252,10 @@ const Command k_walk{
         app.add_option("--path", options->path, "straight, curve, start-stop or eight")
             ->check(CLI::IsMember({"straight", "curve", "start-stop", "eight"}))
             ->capture_default_str();
-        app.add_option("--speed", options->speed, "Metres a second")
-            ->check(CLI::Range(-10.0, 10.0))
-            ->check(is_number)
-            ->capture_default_str();
+        options->given_speed = app.add_option("--speed", options->speed, "Metres a second; gaits have one of their own")
+                                   ->check(CLI::Range(-10.0, 10.0))
+                                   ->check(is_number)
+                                   ->capture_default_str();
         app.add_option("--set", options->set, "NAME=VALUE of the slope or of an axis of your own (repeatable)")
             ->allow_extra_args(false);
         app.add_option("--seconds", options->seconds, "How long")
@@ -233,6 +271,10 @@ const Command k_walk{
         app.add_option("--filmstrip", options->filmstrip, "Draw the walk as an .svg, without and with foot placement");
         app.add_flag("--json", options->json, "Print the metrics as JSON");
         app.add_flag("--all", options->all, "Walk every course");
+        app.add_flag(
+            "--transitions", options->transitions,
+            "Of a live gait: how smoothly it goes from each way of going to each other, at any moment; exit code "
+            "1 where it does not");
         return [options] { return run(*options); };
     }};
 

@@ -123,7 +123,8 @@ WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_m
     result.twin = walk(walker, flat, {speed_mps, seconds, FootMode::none});
     const WalkTrack twin = make_track(result.twin.motion, walker.legs());
     const int frames = result.twin.motion.frame_count();
-    const RootFrame end{{0, 0, speed_mps * static_cast<float>(frames - 1) / k_walk_fps}, 0};
+    RootFrame end{{0, 0, speed_mps * static_cast<float>(frames - 1) / k_walk_fps}, 0};
+    if (walker.steered()) end = result.twin.motion.root.back();
     for (std::size_t i = 0; i < result.walked.size(); ++i) {
         result.walked[i] = walk(walker, ground, {speed_mps, seconds, static_cast<FootMode>(i)});
         result.metrics[i] = measure_walk(make_track(result.walked[i].motion, walker.legs()), twin, ground, end);

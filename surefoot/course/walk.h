@@ -29,6 +29,8 @@ class Walker {
     /// Back to the start: the root at the origin facing +Z, already walking straight ahead.
     virtual void start(float speed_mps) = 0;
     virtual void advance(float dt) noexcept = 0;
+    /// What it is asked for changes on the way: it does not end where it would straight ahead.
+    virtual bool steered() const { return false; }
     /// The root in the world (y = 0) and the pose, `ahead` >= 0 seconds from now if nothing is steered.
     virtual void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept = 0;
 };

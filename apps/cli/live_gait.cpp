@@ -1,0 +1,93 @@
+#include "live_gait.h"
+
+#include "actor.h"
+
+#include <surefoot/author/fitted_gaits.h>
+#include <surefoot/author/gait_file.h>
+#include <surefoot/base/error.h>
+#include <surefoot/fit/fit_gait.h>
+#include <surefoot/gait_clip/gait_clip.h>
+#include <surefoot/gait_text/gait.h>
+#include <surefoot/host/files.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace surefoot::cli {
+
+namespace {
+
+using GaitPointer = std::shared_ptr<const HarmonicGait>;
+
+bool has_extension(const std::string& path, const char* extension) {
+    return std::filesystem::path(path).extension() == extension;
+}
+
+/// Projects are .json as well; of a gait this is the first key.
+bool is_gait_json(const std::string& text) { return text.find("\"surefoot_gait\"") < 100; }
+
+/// Its series are the gait's own waves, so many harmonics miss next to nothing.
+HarmonicGait fit_expressions(const std::string& name) {
+    const bool file = std::filesystem::exists(name);
+    const Gait gait =
+        file ? read_gait(read_file(name, k_max_gait_bytes), name) : read_gait(bundled_gait(name), name + ".gait");
+    const Actor biped = read_actor("default");
+    const GaitActor actor =
+        make_gait_actor(biped.body.skeleton, biped.roles, biped.body.legs, biped.body.shape, "default");
+    const AnalyzedClip clip = play_gait(gait, gait_values(gait, "", {}), actor);
+    HarmonicGait fitted = fit_clip(clip, {8, 16});
+    fitted.name = gait.name;
+    return fitted;
+}
+
+HarmonicGait read_any(const std::string& name) {
+    if (std::filesystem::exists(name))
+        return has_extension(name, ".gait") ? fit_expressions(name) : gait_from_json(read_file(name), name);
+    return find_fitted_gait(name) != nullptr || !fitted_gait_text(name).empty() ? fitted_gait(name)
+                                                                                : fit_expressions(name);
+}
+
+/// The program's own gaits of the same body that make a character whole: it crouches, and stands as who breathes.
+LiveRig whole_rig(GaitPointer gait, const std::string& name) {
+    std::vector<LiveManner> manners{{name, gait, nullptr}};
+    const HarmonicGait idle = fitted_gait("idle");
+    if (*idle.skeleton != *gait->skeleton) return make_live_rig(std::move(manners));
+    if (gait->name != "crouch")
+        manners.push_back({"crouch", std::make_shared<const HarmonicGait>(fitted_gait("crouch")), nullptr});
+    return make_live_rig(std::move(manners), &idle);
+}
+
+}  // namespace
+
+bool is_live_gait(const std::string& name) {
+    if (!std::filesystem::exists(name))
+        return find_fitted_gait(name) != nullptr || !fitted_gait_text(name).empty() || !bundled_gait(name).empty();
+    return has_extension(name, ".gait") || (has_extension(name, ".json") && is_gait_json(read_file(name)));
+}
+
+LiveGait read_live_gait(const std::string& name) {
+    LiveGait live;
+    const auto gait = std::make_shared<const HarmonicGait>(read_any(name));
+    live.name = gait->name;
+    live.rig = whole_rig(gait, live.name);
+    if (const std::string wrong = problem(live.rig); !wrong.empty())
+        throw Error("the gait cannot be played live: " + wrong, name, "fit one from clips with two legs");
+    std::vector<Transform> models(live.rig.stand.size());
+    local_to_model(*gait->skeleton, live.rig.stand, models);
+    live.roles = find_roles(*gait->skeleton, models).roles;
+    if (gait->family()) {
+        live.least_speed = gait->basis.least_speed;
+        live.most_speed = gait->basis.most_speed;
+        live.speed = std::clamp(live.speed, live.least_speed, live.most_speed);
+    } else {
+        live.speed = planar_length(rhythm_at(*gait, 0, 0).velocity);
+    }
+    if (const NamedGait* named = std::filesystem::exists(name) ? nullptr : find_fitted_gait(name)) {
+        live.name = named->name;
+        live.speed = named->speed;
+        live.turn_deg = named->turn_deg;
+    }
+    return live;
+}
+
+}  // namespace surefoot::cli

@@ -1,0 +1,23 @@
+#pragma once
+// The bundled family of gaits as a live rig.
+
+#include <surefoot/author/fitted_gaits.h>
+#include <surefoot/live/live.h>
+
+namespace surefoot::test {
+
+inline std::shared_ptr<const HarmonicGait> bundled_family() {
+    static const auto gait = std::make_shared<const HarmonicGait>(fitted_gait("human"));
+    return gait;
+}
+
+inline const LiveRig& bundled_rig() {
+    static const HarmonicGait idle = fitted_gait("idle");
+    static const LiveRig rig =
+        make_live_rig({{"human", bundled_family(), nullptr},
+                       {"crouch", std::make_shared<const HarmonicGait>(fitted_gait("crouch")), nullptr}},
+                      &idle);
+    return rig;
+}
+
+}  // namespace surefoot::test
