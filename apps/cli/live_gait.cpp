@@ -17,8 +17,6 @@ namespace surefoot::cli {
 
 namespace {
 
-using GaitPointer = std::shared_ptr<const HarmonicGait>;
-
 bool has_extension(const std::string& path, const char* extension) {
     return std::filesystem::path(path).extension() == extension;
 }
@@ -47,16 +45,6 @@ HarmonicGait read_any(const std::string& name) {
                                                                                 : fit_expressions(name);
 }
 
-/// The program's own gaits of the same body that make a character whole: it crouches, and stands as who breathes.
-LiveRig whole_rig(GaitPointer gait, const std::string& name) {
-    std::vector<LiveManner> manners{{name, gait, nullptr}};
-    const HarmonicGait idle = fitted_gait("idle");
-    if (*idle.skeleton != *gait->skeleton) return make_live_rig(std::move(manners));
-    if (gait->name != "crouch")
-        manners.push_back({"crouch", std::make_shared<const HarmonicGait>(fitted_gait("crouch")), nullptr});
-    return make_live_rig(std::move(manners), &idle);
-}
-
 }  // namespace
 
 bool is_live_gait(const std::string& name) {
@@ -69,7 +57,7 @@ LiveGait read_live_gait(const std::string& name) {
     LiveGait live;
     const auto gait = std::make_shared<const HarmonicGait>(read_any(name));
     live.name = gait->name;
-    live.rig = whole_rig(gait, live.name);
+    live.rig = make_live_rig({{live.name, gait, nullptr}});
     if (const std::string wrong = problem(live.rig); !wrong.empty())
         throw Error("the gait cannot be played live: " + wrong, name, "fit one from clips with two legs");
     std::vector<Transform> models(live.rig.stand.size());

