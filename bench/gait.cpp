@@ -1,5 +1,6 @@
-// What a gait of expressions costs: eight lanes full, the scalar twin, and double precision; and on a body of 60 joints.
-// What a fitted gait played live costs a character and frame, on its own rig and on one of 60 joints that all move.
+// What a gait of expressions costs: eight lanes full, the scalar twin, and double precision; and on a body of 60
+// joints. What a fitted gait played live costs a character and frame, on its own rig and on one of 60 joints that all
+// move.
 
 #include <surefoot/author/fitted_gaits.h>
 #include <surefoot/gait_clip/gait_clip.h>
