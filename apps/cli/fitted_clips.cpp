@@ -84,17 +84,23 @@ std::string skate_text(double cm_s) {
                             : fmt::format("planted feet slide at {:.1f} cm/s", cm_s);
 }
 
-LoadedClip as_clip(AnalyzedClip baked) {
+LoadedClip noted(AnalyzedClip clip, const std::string& file, const std::string& source, const std::string& origin) {
     ProjectClip notes;
-    notes.facts = baked.facts;
-    notes.source = baked.source;
-    notes.provenance = {fmt::format("the fitted gait \"{}\" at {:.2f} m/s and {:.1f} deg/s", baked.source,
-                                    baked.facts.speed, baked.facts.turn)};
-    LoadedClip clip;
-    clip.file = baked.facts.name;
-    clip.extras = clip_extras_json(notes);
-    clip.motion = std::move(baked.motion);
-    return clip;
+    notes.facts = clip.facts;
+    notes.source = source;
+    notes.provenance = {origin};
+    LoadedClip loaded;
+    loaded.file = file;
+    loaded.extras = clip_extras_json(notes);
+    loaded.motion = std::move(clip.motion);
+    return loaded;
+}
+
+LoadedClip as_clip(AnalyzedClip baked) {
+    const std::string name = baked.facts.name, source = baked.source;
+    const std::string origin = fmt::format("the fitted gait \"{}\" at {:.2f} m/s and {:.1f} deg/s", source,
+                                           baked.facts.speed, baked.facts.turn);
+    return noted(std::move(baked), name, source, origin);
 }
 
 bool is_fitted(const std::string& gait) {

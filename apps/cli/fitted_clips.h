@@ -18,6 +18,9 @@ namespace surefoot::cli {
 double skate_of(const AnalyzedClip& clip);
 std::string skate_text(double cm_s);
 
+/// A clip to write or to author, with its facts and where it comes from as extras.
+LoadedClip noted(AnalyzedClip clip, const std::string& file, const std::string& source, const std::string& origin);
+
 /// A baked gait with its facts as extras.
 LoadedClip as_clip(AnalyzedClip baked);
 

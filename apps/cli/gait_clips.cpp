@@ -4,7 +4,6 @@
 #include "fitted_clips.h"
 
 #include <surefoot/author/fitted_gaits.h>
-#include <surefoot/author/project.h>
 #include <surefoot/base/error.h>
 #include <surefoot/host/files.h>
 
@@ -103,15 +102,7 @@ GaitActor gait_actor(const Actor& actor) {
 }
 
 LoadedClip as_loaded(AnalyzedClip clip, const std::string& source) {
-    ProjectClip notes;
-    notes.facts = clip.facts;
-    notes.source = source;
-    notes.provenance = {"the gait \"" + source + "\""};
-    LoadedClip loaded;
-    loaded.file = source;
-    loaded.extras = clip_extras_json(notes);
-    loaded.motion = std::move(clip.motion);
-    return loaded;
+    return noted(std::move(clip), source, source, "the gait \"" + source + "\"");
 }
 
 LoadResult load_clips_and_gaits(std::span<const std::string> paths, const LoadOptions& options, const Actor* actor) {

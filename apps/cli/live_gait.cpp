@@ -1,6 +1,7 @@
 #include "live_gait.h"
 
 #include "actor.h"
+#include "gait_clips.h"
 
 #include <surefoot/author/fitted_gaits.h>
 #include <surefoot/author/gait_file.h>
@@ -26,13 +27,8 @@ bool is_gait_json(const std::string& text) { return text.find("\"surefoot_gait\"
 
 /// Its series are the gait's own waves, so many harmonics miss next to nothing.
 HarmonicGait fit_expressions(const std::string& name) {
-    const bool file = std::filesystem::exists(name);
-    const Gait gait =
-        file ? read_gait(read_file(name, k_max_gait_bytes), name) : read_gait(bundled_gait(name), name + ".gait");
-    const Actor biped = read_actor("default");
-    const GaitActor actor =
-        make_gait_actor(biped.body.skeleton, biped.roles, biped.body.legs, biped.body.shape, "default");
-    const AnalyzedClip clip = play_gait(gait, gait_values(gait, "", {}), actor);
+    const Gait gait = read_gait_named(name);
+    const AnalyzedClip clip = play_gait(gait, gait_values(gait, "", {}), gait_actor(read_actor("default")));
     HarmonicGait fitted = fit_clip(clip, {8, 16});
     fitted.name = gait.name;
     return fitted;

@@ -10,7 +10,7 @@ namespace surefoot::cli {
 
 struct LiveGait {
     std::string name;
-    LiveRig rig;  ///< its first manner is what was named
+    LiveRig rig;
     RoleMap roles;
     float speed = 1.4f, turn_deg = 0;        ///< that it has unless asked for another
     float least_speed = 0, most_speed = 10;  ///< [m/s] that may be asked for
@@ -20,8 +20,7 @@ struct LiveGait {
 /// program carries, where no file is called so.
 bool is_live_gait(const std::string& name);
 
-/// The gait named, able to stand and, where it is one of the program's own, to crouch. One of expressions is played for
-/// a cycle on the generated biped and fitted. Throws Error.
+/// The gait named. One of expressions is played for a cycle on the generated biped and fitted. Throws Error.
 LiveGait read_live_gait(const std::string& name);
 
 }  // namespace surefoot::cli

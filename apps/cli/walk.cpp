@@ -45,11 +45,16 @@ struct Walking {
     std::unique_ptr<Walker> walker;
 };
 
+/// Throws Error where something is asked for that only gaits played live can do.
+void needs_no_steering(const Options& options, const char* problem) {
+    if (options.path != "straight" || options.transitions)
+        throw Error(problem, options.transitions ? "--transitions" : "--path",
+                    "only gaits that are played live can: surefoot walk human");
+}
+
 /// The cycle of a clip file whose speed is nearest to the one asked for.
 void load_clip(const Options& options, Walking& walking) {
-    if (options.path != "straight" || options.transitions)
-        throw Error("a clip goes the way it was made", options.transitions ? "--transitions" : "--path",
-                    "only gaits that are played live can: surefoot walk human");
+    needs_no_steering(options, "a clip goes the way it was made");
     if (!options.set.empty())
         throw Error("a clip has no axes to set", "--set", "walk a project made by 'surefoot author'");
     const std::string paths[] = {options.project};
@@ -121,9 +126,7 @@ LocomotionRequest request_of(const Options& options, const LocomotionGraph& grap
 }
 
 void load_project_character(const Options& options, Walking& walking) {
-    if (options.path != "straight" || options.transitions)
-        throw Error("clips go straight ahead so far", options.transitions ? "--transitions" : "--path",
-                    "only gaits that are played live can: surefoot walk human");
+    needs_no_steering(options, "clips go straight ahead so far");
     std::filesystem::path file = options.project;
     if (std::filesystem::is_directory(file)) file /= "project.json";
     std::vector<std::string> warnings;

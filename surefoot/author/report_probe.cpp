@@ -118,7 +118,7 @@ bool has_same_axes(const ProbeSpace& a, const ProbeSpace& b) {
 class HeatMap {
   public:
     HeatMap(const ProbeSpace& space, const Heat& heat, double full, const Window& window)
-        : space_(space), heat_(heat), full_(full), window_(window) {
+        : space_(space), heat_(heat), full_(full), window_(window), summary_(summarise(space, heat)) {
         across_ = across_slot(space);
         up_ = space.axes.size() > 1 ? 0 : -1;
         for (const ProbeCell& cell : space.cells) {
@@ -126,7 +126,6 @@ class HeatMap {
                                          up_ < 0 ? 0 : cell.grid[static_cast<std::size_t>(up_)]};
             const ProbeCell*& shown = shown_[at];
             if (shown == nullptr || badness(cell) > badness(*shown)) shown = &cell;
-            if (worst_ == nullptr || badness(cell) > badness(*worst_)) worst_ = &cell;
         }
     }
 
@@ -137,15 +136,15 @@ class HeatMap {
         svg += fmt::format("<rect class=\"heat-frame\" x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{:.1f}\"/>", k_left,
                            k_top, plot_width(), plot_height());
         for (const auto& [at, cell] : shown_) svg += rectangle(at, *cell);
-        if (worst_ != nullptr && is_measured(*worst_, heat_)) svg += mark_worst();
+        if (summary_.worst != nullptr) svg += mark_worst(*summary_.worst);
         return svg + ticks() + "</svg>";
     }
 
     std::string summary() const {
-        const Summary of = summarise(space_, heat_);
-        if (of.worst == nullptr) return "nothing could be measured";
-        return fmt::format("mean {:.{}f}, worst {:.{}f} {} at {}", of.mean, heat_.decimals, heat_.badness(*of.worst),
-                           heat_.decimals, heat_.unit, describe_cell(space_, *of.worst));
+        if (summary_.worst == nullptr) return "nothing could be measured";
+        return fmt::format("mean {:.{}f}, worst {:.{}f} {} at {}", summary_.mean, heat_.decimals,
+                           heat_.badness(*summary_.worst), heat_.decimals, heat_.unit,
+                           describe_cell(space_, *summary_.worst));
     }
 
   private:
@@ -199,9 +198,9 @@ class HeatMap {
                            heat_.decimals);
     }
 
-    std::string mark_worst() const {
-        const int column = worst_->grid[static_cast<std::size_t>(across_)];
-        const int row = up_ < 0 ? 0 : worst_->grid[static_cast<std::size_t>(up_)];
+    std::string mark_worst(const ProbeCell& worst) const {
+        const int column = worst.grid[static_cast<std::size_t>(across_)];
+        const int row = up_ < 0 ? 0 : worst.grid[static_cast<std::size_t>(up_)];
         const double r = std::clamp(0.5 * std::min(cell_width(), cell_height()), 4.0, 9.0);
         std::string svg;
         for (const char* style : {"heat-worst", "heat-worst-core"})
@@ -241,7 +240,7 @@ class HeatMap {
     Window window_;
     int across_ = 0, up_ = -1;
     std::map<std::pair<int, int>, const ProbeCell*> shown_;
-    const ProbeCell* worst_ = nullptr;
+    Summary summary_;
 };
 
 double full_scale(const Heat& heat, const ProbeSpace& now, const ProbeSpace* before) {

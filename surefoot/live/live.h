@@ -52,10 +52,9 @@ struct LiveRig {
     std::array<RootFrame, 2> stand_place;  ///< by Side: the same as a place on the ground
 };
 
-/// `manners` are of one skeleton, with legs; at most k_most_manners. `idle` says how it stands: a gait of its own,
-/// whose first moment is taken; without, the first manner's mean posture with its feet side by side. Throws nothing;
-/// check `problem` before use.
-LiveRig make_live_rig(std::vector<LiveManner> manners, const HarmonicGait* idle = nullptr);
+/// `manners` are of one skeleton, with legs; at most k_most_manners. It stands in the first manner's mean posture, with
+/// its feet side by side. Throws nothing; check `problem` before use.
+LiveRig make_live_rig(std::vector<LiveManner> manners);
 /// What is wrong with it, as a sentence; empty: nothing, and then update and pose cannot fail.
 std::string problem(const LiveRig& rig);
 

@@ -75,7 +75,7 @@ void level(FootPrint& print, const LegPaths::Side& leg) {
 
 }  // namespace
 
-LiveRig make_live_rig(std::vector<LiveManner> manners, const HarmonicGait* idle) {
+LiveRig make_live_rig(std::vector<LiveManner> manners) {
     LiveRig rig;
     rig.manners = std::move(manners);
     if (rig.manners.empty() || !rig.manners.front().gait || !problem(*rig.manners.front().gait).empty()) return rig;
@@ -84,19 +84,16 @@ LiveRig make_live_rig(std::vector<LiveManner> manners, const HarmonicGait* idle)
     rig.soles = first.soles;
     rig.legs = first.legs;
     if (rig.legs.count == 0) return rig;
-    const HarmonicGait& still = idle != nullptr ? *idle : first;
-    const float speed = still.family() ? still.basis.least_speed : 0;
-    std::vector<float> values(static_cast<std::size_t>(value_count(still)));
-    values_at(still, speed, 0, values);
-    rig.stand = mean_posture(still, values);
+    std::vector<float> values(static_cast<std::size_t>(value_count(first)));
+    values_at(first, first.family() ? first.basis.least_speed : 0, 0, values);
+    rig.stand = mean_posture(first, values);
     for (std::size_t side = 0; side < 2; ++side) {
-        rig.stand_print[side] = foot_print(still, values, side, 0.5f * still.foot_lift);
+        rig.stand_print[side] = foot_print(first, values, side, 0.5f * first.foot_lift);
         level(rig.stand_print[side], rig.legs.side[side]);
         rig.stand_place[side] = place_of(rig.stand_print[side].heel, rig.stand_print[side].ball);
     }
     std::array<FootGoal, 2> goals = goals_of(rig);
-    const auto hips = static_cast<std::size_t>(rig.soles.hips);
-    if (idle == nullptr) rig.stand[hips].translation.y += rise_of(rig, rig.stand, goals);
+    rig.stand[static_cast<std::size_t>(rig.soles.hips)].translation.y += rise_of(rig, rig.stand, goals);
     settle_on_feet(*rig.skeleton, rig.soles, rig.legs, goals, rig.stand);
     find_limbs(rig);
     if (problem(rig).empty())

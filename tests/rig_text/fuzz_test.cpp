@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tests/support/damage.h>
+
 #include <algorithm>
 
 namespace surefoot {
@@ -49,28 +51,7 @@ TEST(RigFuzz, bundled_templates_with_damage_are_read_or_refused) {
     for (const char* name : {"adult", "toe_walker"}) {
         const std::string whole(bundled_rig(name));
         ASSERT_FALSE(whole.empty());
-        for (int i = 0; i < 800; ++i) {
-            std::string text = whole;
-            const int damages = 1 + static_cast<int>(random.below(4));
-            for (int d = 0; d < damages && !text.empty(); ++d) {
-                const std::size_t from = random.below(static_cast<std::uint32_t>(text.size()));
-                const std::size_t length = random.below(40);
-                switch (random.below(4)) {
-                    case 0:
-                        text[from] = static_cast<char>(random.below(256));
-                        break;
-                    case 1:
-                        text.erase(from, length);
-                        break;
-                    case 2:
-                        text.insert(from, text.substr(random.below(static_cast<std::uint32_t>(text.size())), length));
-                        break;
-                    default:
-                        text.resize(from);
-                }
-            }
-            ++(survives(text) ? read : refused);
-        }
+        for (int i = 0; i < 800; ++i) ++(survives(test::damaged(whole, random)) ? read : refused);
     }
     EXPECT_GT(read, 100);
     EXPECT_GT(refused, 100);
