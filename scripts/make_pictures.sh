@@ -53,8 +53,8 @@ down="LeftUpperArm:0,0,-72;RightUpperArm:0,0,72"
 for rig in child long_arms toe_walker; do "$program" rig "$rig" -o "$work/$rig.glb"; done
 "$program" rig giant --stature 2.2 -o "$work/giant.glb"
 node scripts/view_glb.mjs "$work"/{child,adult,long_arms,toe_walker,giant}.glb docs/images/rigs.jpg \
-  --across --views three,side --size 300 --span 2.3 --follow off --turn "$down"
+  --across --views three,side --size 300 --span 3 --follow off --turn "$down"
 node scripts/view_glb.mjs "$work"/{adult,giant,toe_walker}.glb docs/images/rig_bends.jpg --across --views three,side \
-  --size 400 --span 2.3 --follow off --turn "LeftUpperLeg:-95,0,0;LeftLowerLeg:120,0,0;RightUpperLeg:20,0,0;\
+  --size 400 --span 3 --follow off --turn "LeftUpperLeg:-95,0,0;LeftLowerLeg:120,0,0;RightUpperLeg:20,0,0;\
 RightLowerLeg:60,0,0;LeftUpperArm:0,0,75;RightUpperArm:0,0,70;LeftLowerArm:0,-120,0;RightLowerArm:0,100,0;Spine:12,20,0"
 ls -l docs/images
