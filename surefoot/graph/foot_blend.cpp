@@ -23,7 +23,7 @@ struct FootLeaf {
 };
 
 struct FootLeaves {
-    FootLeaf leaf[k_max_locomotion_leaves];
+    FootLeaf leaf[k_max_leaves];
     int count = 0;
 
     std::span<FootLeaf> all() noexcept { return {leaf, static_cast<std::size_t>(count)}; }
@@ -31,10 +31,10 @@ struct FootLeaves {
 };
 
 /// The leaves as one side sees them; false where one has no track.
-bool gather(std::span<const PackedClip> clips, const LocomotionFrame& frame, std::size_t side, std::uint32_t step,
+bool gather(std::span<const PackedClip> clips, const FootBlend& blend, std::size_t side, std::uint32_t step,
             FootLeaves& leaves) noexcept {
     float weights = 0, says = 0;
-    for (const Leaf& leaf : frame.leaves()) {
+    for (const Leaf& leaf : blend.leaves) {
         const PackedClip& clip = clips[static_cast<std::size_t>(leaf.clip)];
         if (clip.feet[side].keys.empty()) return false;
         constexpr float k_slowest = 1e-3f;  // [m/s] so that clips that stamp on the spot have a say among themselves
@@ -131,13 +131,13 @@ FootKey mean_key(const LegPaths::Side& leg, const FootLeaves& leaves, float stri
 
 /// How much faster the blend goes through its phase than its clips would by themselves: the age of a stance passes that
 /// much quicker.
-float pace_of(const FootLeaves& leaves, const LocomotionFrame& frame) noexcept {
+float pace_of(const FootLeaves& leaves, const FootBlend& blend) noexcept {
     float seconds = 0;
     for (const FootLeaf& leaf : leaves.all())
         if (leaf.clip->cycles > 0)
             seconds +=
-                leaf.say * phase_time(*leaf.clip, phase_in(*leaf.clip, frame.phase_before, frame.cycle_before)).slope;
-    const float pace = seconds * frame.phase_rate;
+                leaf.say * phase_time(*leaf.clip, phase_in(*leaf.clip, blend.phase_before, blend.cycle_before)).slope;
+    const float pace = seconds * blend.phase_rate;
     return pace > 0 ? std::clamp(pace, 1 / k_most_pace, k_most_pace) : 1.0f;
 }
 
@@ -224,19 +224,18 @@ void reach_feet(const LegPaths& paths, const std::array<FootGoal, 2>& feet, std:
     }
 }
 
-void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, const LocomotionFrame& frame,
+void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
                 std::span<Transform> locals) noexcept {
-    if (paths.count == 0 || (frame.leaf_count < 2 && !frame.styled)) return;
+    if (paths.count == 0) return;
     std::array<FootKey, 2> feet;
     for (std::size_t side = 0; side < 2; ++side) {
-        const float strike = side == 0 ? 0.0f : 0.5f, after = frame.phase - strike;
+        const float strike = side == 0 ? 0.0f : 0.5f, after = blend.phase - strike;
         // Counted from well above zero, so that the step before the first one has a number too.
         constexpr std::uint32_t k_far = 27720;  // a multiple of every small cycle count
         FootLeaves leaves;
-        if (!gather(clips, frame, side, frame.cycle + k_far - (after < 0), leaves)) return;
+        if (!gather(clips, blend, side, blend.cycle + k_far - (after < 0), leaves)) return;
         FootKey& key = feet[side] = mean_key(paths.side[side], leaves, strike, after < 0 ? after + 1 : after);
-        const RootFrame moved =
-            integrate(frame.velocity, frame.turn * k_radians_per_degree, key.age / pace_of(leaves, frame));
+        const RootFrame moved = integrate(blend.velocity, blend.turn, key.age / pace_of(leaves, blend));
         key.print = inverse(to_transform(moved)) * key.print;
     }
     reach_feet(paths, {FootGoal{feet[0].print, feet[0].toes}, FootGoal{feet[1].print, feet[1].toes}}, locals);

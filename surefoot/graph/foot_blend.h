@@ -16,8 +16,6 @@
 
 namespace surefoot {
 
-struct LocomotionFrame;
-
 /// The joints of both legs and all above them, parents first: what has to be run forward to find the feet. Immutable.
 struct LegPaths {
     static constexpr int k_most = 48;
@@ -51,9 +49,21 @@ Transform stand_on(const LegPaths::Side& leg, Quat rotation, Vec3 heel, Vec3 bal
 /// What a leg cannot reach is pulled in softly (ik/two_bone.h).
 void reach_feet(const LegPaths& paths, const std::array<FootGoal, 2>& feet, std::span<Transform> locals) noexcept;
 
-/// Solves both legs of the blended pose `locals` (joint_count() transforms) for the blended feet of the frame's leaves.
-/// Nothing changes where one of the clips has no foot track, or a lone clip plays. Never allocates or fails.
-void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, const LocomotionFrame& frame,
+/// Leaves that share one phase, and how they and their root move.
+struct FootBlend {
+    std::span<const Leaf> leaves;  ///< at most k_max_leaves
+    float phase = 0;               ///< [0, 1) now
+    std::uint32_t cycle = 0;
+    float phase_before = 0;  ///< a frame ago
+    std::uint32_t cycle_before = 0;
+    float phase_rate = 0;  ///< [cycles/s] at `phase_before`
+    Vec3 velocity;         ///< [m/s] of the blended root, in its own frame
+    float turn = 0;        ///< [rad/s]
+};
+
+/// Solves both legs of the blended pose `locals` (joint_count() transforms) for the blended feet of the leaves. Nothing
+/// changes where one of the clips has no foot track. Never allocates or fails.
+void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
                 std::span<Transform> locals) noexcept;
 
 }  // namespace surefoot
