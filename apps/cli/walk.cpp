@@ -32,7 +32,7 @@ struct Options {
     std::string out, metrics, filmstrip, style;
     std::vector<std::string> set;
     float grade = 15, speed = 1.4f, seconds = 10;
-    bool json = false, all = false, transitions = false;
+    bool json = false, all = false, transitions = false, reverse = false;
     CLI::Option* given_speed = nullptr;
 };
 
@@ -46,15 +46,17 @@ struct Walking {
 };
 
 /// Throws Error where something is asked for that only gaits played live can do.
-void needs_no_steering(const Options& options, const char* problem) {
-    if (options.path != "straight" || options.transitions)
-        throw Error(problem, options.transitions ? "--transitions" : "--path",
-                    "only gaits that are played live can: surefoot walk human");
+void needs_no_live_gait(const Options& options) {
+    if (options.transitions)
+        throw Error("clips do not change their gait", "--transitions", "gaits played live do: surefoot walk human");
 }
 
 /// The cycle of a clip file whose speed is nearest to the one asked for.
 void load_clip(const Options& options, Walking& walking) {
-    needs_no_steering(options, "a clip goes the way it was made");
+    needs_no_live_gait(options);
+    if (options.path != "straight")
+        throw Error("a clip goes the way it was made", "--path",
+                    "a project of several ('surefoot author') and live gaits ('surefoot walk human') are steered");
     if (!options.set.empty())
         throw Error("a clip has no axes to set", "--set", "walk a project made by 'surefoot author'");
     const std::string paths[] = {options.project};
@@ -126,7 +128,7 @@ LocomotionRequest request_of(const Options& options, const LocomotionGraph& grap
 }
 
 void load_project_character(const Options& options, Walking& walking) {
-    needs_no_steering(options, "clips go straight ahead so far");
+    needs_no_live_gait(options);
     std::filesystem::path file = options.project;
     if (std::filesystem::is_directory(file)) file /= "project.json";
     std::vector<std::string> warnings;
@@ -137,7 +139,7 @@ void load_project_character(const Options& options, Walking& walking) {
     walking.name = walking.character.name.empty() ? options.project : walking.character.name;
     walking.roles = walking.character.roles;
     const LocomotionRequest request = request_of(options, walking.character.graph);
-    walking.walker = make_character_walker(walking.character, request);
+    walking.walker = make_character_walker(walking.character, request, walk_path(options.path, options.seconds));
     LocomotionState state;
     if (update(walking.character.graph, state, request, 0).clamped)
         fmt::print(stderr,
@@ -156,8 +158,7 @@ void load_gait(Options& options, Walking& walking) {
     if (!(options.speed >= gait.least_speed && options.speed <= gait.most_speed))
         throw Error(fmt::format("{:g} m/s is not a speed of this gait", options.speed), options.project,
                     fmt::format("ask for {:g} to {:g} m/s", gait.least_speed, gait.most_speed));
-    walking.walker = make_live_walker(
-        gait.rig, live_path(options.path, {.speed = options.speed, .turn = gait.turn_deg}, options.seconds));
+    walking.walker = make_live_walker(gait.rig, {}, walk_path(options.path, options.seconds, gait.turn_deg));
 }
 
 FootMode mode_from(const std::string& text) {
@@ -178,7 +179,7 @@ void check(const Options& options) {
 }
 
 WalkInfo info_of(const Options& options, const std::string& name, const std::string& course) {
-    return {name, course, options.path, options.grade, options.speed};
+    return {name, course, options.path, options.grade, options.speed, options.reverse};
 }
 
 /// Every course, table after table, or one JSON object with all of them.
@@ -186,7 +187,7 @@ void walk_all(const Options& options, Walking& walking) {
     std::string json = "{\"walks\": [\n";
     for (const std::string& name : course_names()) {
         const WalkInfo info = info_of(options, walking.name, name);
-        const Course course = make_course(name, options.grade);
+        const Course course = make_course(name, options.grade, options.reverse);
         const WalkComparison walks = compare_modes(*walking.walker, *course.ground, options.speed, options.seconds);
         json += (name == course_names().front() ? "" : ",\n") + metrics_json(info, walks);
         if (!options.json) fmt::print("{}\n", metrics_table(info, walks));
@@ -206,7 +207,8 @@ int judge_transitions(const Options& options, const Walking& walking) {
 
 int run(Options options) {
     check(options);
-    const Course course = make_course(options.course, options.grade);  // before long work: names are easily mistyped
+    const Course course =
+        make_course(options.course, options.grade, options.reverse);  // before long work: names are easily mistyped
     Walking walking;
     if (is_live_gait(options.project))
         load_gait(options, walking);
@@ -252,13 +254,15 @@ const Command k_walk{
             ->check(CLI::Range(0.0, 45.0))
             ->check(is_number)
             ->capture_default_str();
-        app.add_option("--path", options->path, "straight, curve, start-stop or eight")
-            ->check(CLI::IsMember({"straight", "curve", "start-stop", "eight"}))
+        app.add_flag("--reverse", options->reverse, "Walk the course from its far end");
+        app.add_option("--path", options->path, "What is steered")
+            ->check(CLI::IsMember(path_names()))
             ->capture_default_str();
-        options->given_speed = app.add_option("--speed", options->speed, "Metres a second; gaits have one of their own")
-                                   ->check(CLI::Range(-10.0, 10.0))
-                                   ->check(is_number)
-                                   ->capture_default_str();
+        options->given_speed =
+            app.add_option("--speed", options->speed, "Metres a second, negative backward; gaits have one of their own")
+                ->check(CLI::Range(-10.0, 10.0))
+                ->check(is_number)
+                ->capture_default_str();
         app.add_option("--set", options->set, "NAME=VALUE of the slope or of an axis of your own (repeatable)")
             ->allow_extra_args(false);
         app.add_option("--seconds", options->seconds, "How long")

@@ -42,7 +42,46 @@ const std::vector<std::string>& course_names() {
     return names;
 }
 
-Course make_course(const std::string& name, float grade_deg) {
+namespace {
+
+/// A ground as one finds it who comes from its far end: turned about the vertical, so that z = `length` is the origin.
+class FromTheFarEnd final : public Ground {
+  public:
+    FromTheFarEnd(std::shared_ptr<const Ground> ground, float length) : ground_(std::move(ground)), length_(length) {}
+    Vec3 turned(Vec3 p) const noexcept { return {-p.x, p.y, length_ - p.z}; }
+    void query(std::span<const GroundQuery> queries, std::span<GroundHit> hits) const noexcept override {
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            GroundQuery query = queries[i];
+            query.origin = turned(query.origin);
+            ground_->query({&query, 1}, {&hits[i], 1});
+            hits[i].normal = {-hits[i].normal.x, hits[i].normal.y, -hits[i].normal.z};
+            hits[i].velocity = {-hits[i].velocity.x, hits[i].velocity.y, -hits[i].velocity.z};
+        }
+    }
+
+  private:
+    std::shared_ptr<const Ground> ground_;
+    float length_;
+};
+
+/// From where a course is walked back: as far behind its last obstacle as its first lies ahead.
+float far_end(const std::string& name) {
+    if (name == "hills" || name == "rubble") return 50;
+    if (name == "slope_up" || name == "slope_down") return k_slope_length + 2 * k_first_obstacle;
+    if (name == "stairs_up" || name == "stairs_down") return k_steps * k_tread + 2 * k_first_obstacle;
+    if (name == "ledge") return 13;
+    if (name == "curb_oblique") return 19.5f;
+    return 0;
+}
+
+Course turned(Course course) {
+    const auto ground = std::make_shared<const FromTheFarEnd>(course.ground, far_end(course.name));
+    for (Vec3& p : course.mesh.positions) p = ground->turned(p);
+    course.ground = ground;
+    return course;
+}
+
+Course make_forward(const std::string& name, float grade_deg) {
     if (!(grade_deg >= 0 && grade_deg <= 45))
         throw Error("a grade must lie between 0 and 45 degrees", "course '" + name + "'", "ask for 10, 15 or 30");
     if (name == "flat") return course_of(name, Plane());
@@ -62,6 +101,13 @@ Course make_course(const std::string& name, float grade_deg) {
     std::string known;
     for (const std::string& each : course_names()) known += (known.empty() ? "" : ", ") + each;
     throw Error("there is no course '" + name + "'", "", "choose one of " + known);
+}
+
+}  // namespace
+
+Course make_course(const std::string& name, float grade_deg, bool reverse) {
+    Course course = make_forward(name, grade_deg);
+    return reverse ? turned(std::move(course)) : course;
 }
 
 }  // namespace surefoot

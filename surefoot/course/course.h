@@ -19,7 +19,8 @@ struct Course {
 /// flat, hills, slope_up, slope_down, cross_slope, stairs_up, stairs_down, ledge, rubble, curb_oblique.
 const std::vector<std::string>& course_names();
 
-/// `grade_deg` is the steepness of the slope courses. Throws Error for a name that is not a course.
-Course make_course(const std::string& name, float grade_deg = 15);
+/// `grade_deg` is the steepness of the slope courses; `reverse`: walked from its far end, so that stairs that lead up
+/// lead down. Throws Error for a name that is not a course.
+Course make_course(const std::string& name, float grade_deg = 15, bool reverse = false);
 
 }  // namespace surefoot

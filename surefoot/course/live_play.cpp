@@ -8,46 +8,51 @@ namespace {
 
 class LiveWalker final : public Walker {
   public:
-    LiveWalker(const LiveRig& rig, std::vector<LiveLeg> legs)
-        : rig_(rig), legs_(std::move(legs)), scratch_(rig), standing_(rig.stand.size()) {
+    LiveWalker(const LiveRig& rig, const LiveRequest& going, std::vector<PathLeg> path)
+        : rig_(rig), going_(going), path_(std::move(path)), scratch_(rig), standing_(rig.stand.size()) {
         local_to_model(*rig.skeleton, rig.stand, standing_);
     }
     const std::shared_ptr<const Skeleton>& skeleton() const override { return rig_.skeleton; }
     const Legs& legs() const override { return rig_.soles; }
     std::span<const Transform> standing() const override { return standing_; }
-    bool steered() const override { return legs_.size() > 1; }
     void start(float speed_mps) override {
-        for (LiveLeg& leg : legs_)
-            if (leg.request.speed != 0) leg.request.speed = speed_mps;
-        leg_ = 0;
-        spent_ = 0;
-        state_ = surefoot::start(rig_, legs_.front().request);
+        going_.speed = speed_mps;
+        most_ = k_any_speed;
+        clock_ = {};
+        state_ = surefoot::start(rig_, wanted());
         root_ = {};
     }
     void advance(float dt) noexcept override {
-        constexpr float k_rounding = 1e-4f;  // [s]
-        if (leg_ + 1 < legs_.size() && spent_ >= legs_[leg_].seconds - k_rounding) {
-            ++leg_;
-            spent_ = 0;
-        }
-        spent_ += dt;
-        root_ = root_ * update(rig_, state_, legs_[leg_].request, dt).root_delta;
+        clock_.advance(path_, dt);
+        root_ = root_ * update(rig_, state_, wanted(), dt).root_delta;
     }
+    void limit_speed(float most_mps) noexcept override { most_ = most_mps; }
+    /// Live gaits glide to what they are asked for, and the glide is what there is to obey.
+    RootFrame requested() const noexcept override { return root_; }
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
         LiveState copy = state_;
-        root = root_ * update(rig_, copy, legs_[leg_].request, ahead).root_delta;
+        root = root_ * update(rig_, copy, wanted(), ahead).root_delta;
         pose(rig_, copy, scratch_, locals);
     }
 
   private:
+    LiveRequest wanted() const noexcept {
+        LiveRequest wanted = going_;
+        const PathLeg& leg = clock_.leg(path_);
+        wanted.speed = leg.goes ? std::clamp(going_.speed, -most_, most_) : 0;
+        wanted.turn = leg.turn;
+        return wanted;
+    }
+
     const LiveRig& rig_;
-    std::vector<LiveLeg> legs_;
+    LiveRequest going_;
+    std::vector<PathLeg> path_;
     mutable LiveScratch scratch_;
     std::vector<Transform> standing_;
     LiveState state_;
     RootFrame root_;
-    std::size_t leg_ = 0;
-    float spent_ = 0;
+    PathClock clock_;
+    float most_ = k_any_speed;
 };
 
 }  // namespace
@@ -69,29 +74,9 @@ Motion play(const LiveRig& rig, const std::vector<LiveLeg>& legs, float fps, flo
     return motion;
 }
 
-std::vector<LiveLeg> live_path(const std::string& name, const LiveRequest& going, float seconds) {
-    constexpr float k_turn = 30, k_circle = 360 / k_turn;  // [deg/s], [s]
-    LiveRequest left = going, right = going, stand = going;
-    left.turn = k_turn;
-    right.turn = -k_turn;
-    stand.speed = stand.turn = 0;
-    std::vector<LiveLeg> legs;
-    if (name == "straight") return {{going, seconds}};
-    if (name == "curve") return {{left, seconds}};
-    if (name == "eight") legs = {{left, k_circle}, {right, k_circle}};
-    if (name == "start-stop") legs = {{stand, 1}, {going, 3}, {stand, 2.5f}};
-    if (legs.empty())
-        throw Error("there is no path '" + name + "'", "--path", "walk straight, curve, eight or start-stop");
-    std::vector<LiveLeg> all;
-    float whole = 0;
-    for (const LiveLeg& leg : legs) whole += leg.seconds;
-    for (float done = 0; done < seconds; done += whole) all.insert(all.end(), legs.begin(), legs.end());
-    return all;
-}
-
-std::unique_ptr<Walker> make_live_walker(const LiveRig& rig, std::vector<LiveLeg> legs) {
-    if (legs.empty()) throw Error("nothing is asked for", "live walker", "");
-    return std::make_unique<LiveWalker>(rig, std::move(legs));
+std::unique_ptr<Walker> make_live_walker(const LiveRig& rig, const LiveRequest& going, std::vector<PathLeg> path) {
+    if (path.empty()) path.push_back({});
+    return std::make_unique<LiveWalker>(rig, going, std::move(path));
 }
 
 }  // namespace surefoot

@@ -19,12 +19,8 @@ struct LiveLeg {
 /// The motion from the origin on; it begins as one that has long been doing the first.
 Motion play(const LiveRig& rig, const std::vector<LiveLeg>& legs, float fps = 60, float phase = 0);
 
-/// straight; curve (30 deg/s to the left); eight (two such circles, one to either side); start-stop (stand, go, stop
-/// and go again, over and over). Throws Error for another name.
-std::vector<LiveLeg> live_path(const std::string& name, const LiveRequest& going, float seconds);
-
-/// Asks `legs` one after the other, the last for good. `rig` must outlive the walker. Where the speed at which a walk
-/// is to start is not that of a leg, all legs that go are asked for it.
-std::unique_ptr<Walker> make_live_walker(const LiveRig& rig, std::vector<LiveLeg> legs);
+/// Goes along `path` as `going` says, its turn that of the path; the speed is that of `start`. `rig` must outlive the
+/// walker.
+std::unique_ptr<Walker> make_live_walker(const LiveRig& rig, const LiveRequest& going, std::vector<PathLeg> path);
 
 }  // namespace surefoot

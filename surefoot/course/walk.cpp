@@ -4,6 +4,7 @@
 #include <surefoot/motion/edit.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace surefoot {
 namespace {
@@ -24,8 +25,12 @@ class ClipWalker final : public Walker {
     void start(float speed_mps) override {
         constexpr float k_travels = 0.1f;  // [m/s]
         const float own = planar_length(clip_.root.back().position) / std::max(clip_.duration(), 1e-6f);
-        rate_ = own > k_travels && speed_mps > 0 ? speed_mps / own : 1;
+        rate_ = own > k_travels && speed_mps != 0 ? std::fabs(speed_mps) / own : 1;
         time_ = 0;
+        speed_ = speed_mps;
+    }
+    RootFrame requested() const noexcept override {
+        return {{0, 0, speed_ * static_cast<float>(time_ / static_cast<double>(rate_))}, 0};
     }
     void advance(float dt) noexcept override { time_ += static_cast<double>(dt * rate_); }
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
@@ -37,7 +42,7 @@ class ClipWalker final : public Walker {
     Motion clip_;
     Legs legs_;
     std::vector<Transform> standing_;
-    float rate_ = 1;
+    float rate_ = 1, speed_ = 0;
     double time_ = 0;
 };
 
@@ -91,15 +96,24 @@ Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request) {
     const FootRig rig = make_foot_rig(*walker.skeleton(), walker.legs(), walker.standing(), settings);
     const WalkerPreview preview(walker, rig);
     walker.start(request.speed_mps);
+    const bool replays = !request.speed_limits.empty();
 
     Walked walked;
     walked.motion = make_motion(walker.skeleton(), "walk", frames, k_walk_fps);
     FootPlacementState state;
+    FootOutput output;
     std::vector<Transform> models(static_cast<std::size_t>(walked.motion.joint_count()));
     for (int f = 0; f < frames; ++f) {
         const std::span<Transform> locals = walked.motion.frame(f);
         RootFrame& root = walked.motion.root[static_cast<std::size_t>(f)];
+        const auto at = static_cast<std::size_t>(f);
+        float limit = k_any_speed;
+        if (replays) limit = request.speed_limits[std::min(at, request.speed_limits.size() - 1)];
+        if (request.limited) limit = output.speed_limit;
+        walker.limit_speed(limit);
         if (f) walker.advance(k_dt);
+        walked.requested.push_back(walker.requested());
+        walked.speed_limits.push_back(limit);
         walker.look(0, root, locals);
         root.position.y = height_at(ground, root.position.x, root.position.z);
         clean_models(walker, rig, locals, models);
@@ -107,7 +121,6 @@ Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request) {
         input.dt = f ? k_dt : 0;
         input.root = root;
         input.legs = read_legs(rig, models);
-        FootOutput output;
         place_feet(rig, state, input, ground, &preview, output);
         apply(rig, output, models, locals);
         for (std::size_t side = 0; side < 2; ++side) walked.planted[side].push_back(output.planted[side]);
@@ -116,19 +129,24 @@ Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request) {
     return walked;
 }
 
-WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds) {
+WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds, bool limited) {
     WalkComparison result;
     result.legs = walker.legs();
-    const Plane flat;
-    result.twin = walk(walker, flat, {speed_mps, seconds, FootMode::none});
-    const WalkTrack twin = make_track(result.twin.motion, walker.legs());
-    const int frames = result.twin.motion.frame_count();
-    RootFrame end{{0, 0, speed_mps * static_cast<float>(frames - 1) / k_walk_fps}, 0};
-    if (walker.steered()) end = result.twin.motion.root.back();
-    for (std::size_t i = 0; i < result.walked.size(); ++i) {
-        result.walked[i] = walk(walker, ground, {speed_mps, seconds, static_cast<FootMode>(i)});
-        result.metrics[i] = measure_walk(make_track(result.walked[i].motion, walker.legs()), twin, ground, end);
+    WalkRequest request{speed_mps, seconds, FootMode::surefoot, limited, {}};
+    Walked& placed = result.walked[static_cast<std::size_t>(FootMode::surefoot)];
+    placed = walk(walker, ground, request);
+    request.limited = false;
+    request.speed_limits = placed.speed_limits;
+    for (const FootMode mode : {FootMode::none, FootMode::colvin2013}) {
+        request.mode = mode;
+        result.walked[static_cast<std::size_t>(mode)] = walk(walker, ground, request);
     }
+    request.mode = FootMode::none;
+    result.twin = walk(walker, Plane(), request);
+    const WalkTrack twin = make_track(result.twin.motion, walker.legs());
+    for (std::size_t i = 0; i < result.walked.size(); ++i)
+        result.metrics[i] = measure_walk(make_track(result.walked[i].motion, walker.legs()), twin, ground,
+                                         result.walked[i].requested.back());
     return result;
 }
 

@@ -43,7 +43,8 @@ std::string row_json(const WalkMetrics& m) {
 
 std::string course_title(const WalkInfo& info) {
     const bool graded = info.course == "slope_up" || info.course == "slope_down";
-    return graded ? fmt::format("{} {:g}°", info.course, info.grade_deg) : info.course;
+    return (graded ? fmt::format("{} {:g}°", info.course, info.grade_deg) : info.course) +
+           (info.reverse ? " from its far end" : "");
 }
 
 /// Runs of true as [[first, last], …].
@@ -94,10 +95,11 @@ std::string extras_json(const WalkInfo& info, const WalkComparison& walks, FootM
     const WalkTrack twin = make_track(walks.twin.motion, legs);
     const TwinFigures flat = measure_twin(twin);
     std::string out = fmt::format(
-        "{{\"surefoot_walk\": {{\"course\": {}, \"grade_deg\": {}, \"path\": {}, \"speed_mps\": {}, \"mode\": {}, "
+        "{{\"surefoot_walk\": {{\"course\": {}, \"reverse\": {}, \"grade_deg\": {}, \"path\": {}, \"speed_mps\": {}, "
+        "\"mode\": {}, "
         "\"fps\": {}, \"hips\": {}, \"flat_twin\": {{\"knee_peak_deg_s2\": {}, \"hip_jerk_m_s3\": {}, "
         "\"skate_cm_s\": {}}}",
-        quoted(info.course), number(static_cast<double>(info.grade_deg)), quoted(info.path),
+        quoted(info.course), info.reverse, number(static_cast<double>(info.grade_deg)), quoted(info.path),
         number(static_cast<double>(info.speed_mps)), quoted(foot_mode_name(mode)),
         number(static_cast<double>(k_walk_fps)), quoted(skeleton.names[static_cast<std::size_t>(legs.hips)]),
         number(flat.knee_peak_deg_s2), number(flat.hip_jerk_m_s3), number(flat.skate_cm_s));
@@ -163,8 +165,9 @@ std::string metrics_table(const WalkInfo& info, const WalkComparison& walks) {
 }
 
 std::string metrics_json(const WalkInfo& info, const WalkComparison& walks) {
-    std::string out = fmt::format("{{\"course\": {}, \"path\": {}, \"speed_mps\": {}, \"rows\": {{",
-                                  quoted(info.course), quoted(info.path), number(static_cast<double>(info.speed_mps)));
+    std::string out =
+        fmt::format("{{\"course\": {}, \"reverse\": {}, \"path\": {}, \"speed_mps\": {}, \"rows\": {{",
+                    quoted(info.course), info.reverse, quoted(info.path), number(static_cast<double>(info.speed_mps)));
     for (std::size_t i = 0; i < walks.metrics.size(); ++i)
         fmt::format_to(Out(out), "{}\n  \"{}\": {}", i ? "," : "", foot_mode_name(static_cast<FootMode>(i)),
                        row_json(walks.metrics[i]));

@@ -12,6 +12,7 @@ namespace surefoot {
 struct WalkInfo {
     std::string character, course = "flat", path = "straight";
     float grade_deg = 15, speed_mps = 1.4f;
+    bool reverse = false;  ///< from the course's far end
 };
 
 /// Three rows, one a mode, with a line above them.

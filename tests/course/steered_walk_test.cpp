@@ -46,6 +46,7 @@ class SteeredWalker final : public Walker {
         root_ = go(root_, stick_(time_), dt);
         time_ += static_cast<double>(dt);
     }
+    RootFrame requested() const noexcept override { return root_; }
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
         inner_->look(ahead, root, locals);
         root = root_;

@@ -60,7 +60,7 @@ TEST(Transitions, the_report_is_the_same_twice_and_names_the_worst) {
 TEST(LiveWalker, walks_over_hills_and_stops_and_starts_there) {
     const LiveRig& rig = test::bundled_rig();
     const Course hills = make_course("hills");
-    const auto walker = make_live_walker(rig, live_path("start-stop", {.speed = 1.4f}, 10));
+    const auto walker = make_live_walker(rig, {}, walk_path("start-stop", 10));
     const WalkComparison c = compare_modes(*walker, *hills.ground, 1.4f, 10);
     const WalkMetrics &none = c.metrics[0], &ours = c.metrics[2];
     EXPECT_GT(none.penetration_max_cm, 5);
@@ -70,12 +70,6 @@ TEST(LiveWalker, walks_over_hills_and_stops_and_starts_there) {
     EXPECT_LT(ours.skate_cm_s, none.skate_cm_s + 0.6);
     EXPECT_EQ(ours.over_extensions, 0);
     EXPECT_GT(c.twin.motion.root.back().position.z, 3) << "it went";
-}
-
-TEST(LiveWalker, paths_are_named) {
-    EXPECT_EQ(live_path("straight", {.speed = 1}, 10).size(), 1u);
-    EXPECT_GE(live_path("eight", {.speed = 1}, 30).size(), 4u);
-    EXPECT_ANY_THROW(live_path("zigzag", {.speed = 1}, 10));
 }
 
 }  // namespace

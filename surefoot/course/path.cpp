@@ -1,0 +1,36 @@
+#include <surefoot/base/error.h>
+#include <surefoot/course/path.h>
+
+namespace surefoot {
+
+const std::vector<std::string>& path_names() {
+    static const std::vector<std::string> names{"straight", "curve", "eight", "start-stop"};
+    return names;
+}
+
+std::vector<PathLeg> walk_path(const std::string& name, float seconds, float turn) {
+    constexpr float k_turn = 30, k_circle = 360 / k_turn;  // [deg/s], [s]
+    if (name == "straight") return {{true, turn, seconds}};
+    if (name == "curve") return {{true, k_turn, seconds}};
+    std::vector<PathLeg> legs;
+    if (name == "eight") legs = {{true, k_turn, k_circle}, {true, -k_turn, k_circle}};
+    if (name == "start-stop") legs = {{false, 0, 1}, {true, turn, 3}, {false, 0, 2.5f}};
+    if (legs.empty())
+        throw Error("there is no path '" + name + "'", "--path", "walk straight, curve, eight or start-stop");
+    std::vector<PathLeg> all;
+    float whole = 0;
+    for (const PathLeg& leg : legs) whole += leg.seconds;
+    for (float done = 0; done < seconds; done += whole) all.insert(all.end(), legs.begin(), legs.end());
+    return all;
+}
+
+void PathClock::advance(const std::vector<PathLeg>& legs, float dt) noexcept {
+    constexpr float k_rounding = 1e-4f;  // [s]
+    if (at_ + 1 < legs.size() && spent_ >= legs[at_].seconds - k_rounding) {
+        ++at_;
+        spent_ = 0;
+    }
+    spent_ += dt;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,107 @@
+// Steering along a path: the root does as it is asked, and nobody knows what is asked for next.
+
+#include <surefoot/analysis/analyze.h>
+#include <surefoot/bake/character.h>
+#include <surefoot/course/walk.h>
+#include <surefoot/ground/shapes.h>
+#include <surefoot/preset/default_set.h>
+#include <surefoot/space/triangulate.h>
+
+#include <gtest/gtest.h>
+
+namespace surefoot {
+namespace {
+
+/// The generated clips in a space over speed and turn.
+const Character& character() {
+    static const Character made = [] {
+        const DefaultSet set = make_default_set();
+        std::vector<AnalyzedClip> clips;
+        ProjectSpace facing;
+        facing.name = "facing";
+        facing.space.axes = {{"speed", "m/s", -2, 6, false}, {"turn", "deg/s", -180, 180, false}};
+        for (const char* name : {"idle", "walk", "walk_left", "walk_right", "jog", "run", "back"})
+            for (const Motion& clip : set.clips)
+                if (clip.name == name) {
+                    clips.push_back(analyze_clip(clip, name));
+                    facing.space.samples.push_back({clips.back().facts.speed, clips.back().facts.turn});
+                    facing.clips.push_back(static_cast<int>(clips.size()) - 1);
+                }
+        triangulate(facing.space);
+        return bake_character(clips, {&facing, 1}, "steered");
+    }();
+    return made;
+}
+
+TEST(Path, names_are_known) {
+    EXPECT_EQ(walk_path("straight", 10).size(), 1u);
+    EXPECT_GE(walk_path("eight", 30).size(), 4u);
+    EXPECT_ANY_THROW(walk_path("zigzag", 10));
+    for (const std::string& name : path_names()) EXPECT_FALSE(walk_path(name, 10).empty()) << name;
+}
+
+TEST(Path, a_minute_of_figures_of_eight_through_the_blend_space_misses_less_than_a_percent_and_2_degrees) {
+    for (const float speed : {1.0f, 1.4f}) {
+        const auto walker = make_character_walker(character(), {}, walk_path("eight", 60));
+        const Walked walked = walk(*walker, Plane(), {speed, 60, FootMode::none});
+        float gone = 0, off = 0, turned = 0, widest = 0;
+        for (std::size_t f = 1; f < walked.requested.size(); ++f) {
+            const RootFrame &is = walked.motion.root[f], &asked = walked.requested[f];
+            gone += planar_length(asked.position - walked.requested[f - 1].position);
+            off = std::max(off, planar_length(is.position - asked.position));
+            turned = std::max(turned, std::fabs(wrap_angle(is.yaw - asked.yaw)));
+            widest = std::max(widest, planar_length(is.position));
+        }
+        EXPECT_NEAR(gone, speed * 60, 0.1);
+        EXPECT_GT(widest, 2) << "it went round";
+        EXPECT_LT(off, 0.01f * gone) << speed;
+        EXPECT_LT(turned * k_degrees_per_radian, 2) << speed;
+    }
+}
+
+TEST(Path, what_comes_is_foreseen_from_the_present_request_alone) {
+    const auto going = make_character_walker(character(), {}, walk_path("start-stop", 10));
+    const auto straight = make_character_walker(character());
+    std::vector<Transform> pose(character().skeleton->rest.size()), again = pose;
+    RootFrame soon, now;
+    going->start(1.4f);
+    // Until the first second has passed it is asked to stand, so it foresees that it stands.
+    for (int f = 0; f < 55; ++f) going->advance(1 / k_walk_fps);
+    going->look(1, soon, pose);
+    EXPECT_LT(planar_length(soon.position), 0.01f);
+    // And while the request stays, what it foresaw is what comes.
+    for (int f = 0; f < 30; ++f) going->advance(1 / k_walk_fps);
+    going->look(0.5f, soon, pose);
+    going->look(0.1f, now, again);
+    for (int f = 0; f < 30; ++f) going->advance(1 / k_walk_fps);
+    going->look(0, now, again);
+    EXPECT_LT(distance(soon.position, now.position), 1e-4f);
+    EXPECT_GT(now.position.z, 0.3f);
+    for (std::size_t j = 0; j < pose.size(); ++j)
+        EXPECT_LT(distance(pose[j].translation, again[j].translation), 1e-4f) << j;
+}
+
+TEST(Path, a_character_walks_backward_where_its_clips_do) {
+    const auto walker = make_character_walker(character(), {}, walk_path("straight", 6));
+    const Walked walked = walk(*walker, *make_course("hills").ground, {-0.8f, 6, FootMode::surefoot});
+    EXPECT_NEAR(walked.motion.root.back().position.z, -4.8f, 0.05f);
+}
+
+TEST(Course, reversed_it_is_the_same_ground_from_its_far_end) {
+    for (const std::string& name : course_names()) {
+        const Course there = make_course(name), back = make_course(name, 15, true);
+        const auto height = [](const Course& c, float x, float z) { return height_at(*c.ground, x, z); };
+        float length = 0;
+        // The far end is where the mesh was turned about.
+        ASSERT_EQ(there.mesh.positions.size(), back.mesh.positions.size());
+        length = there.mesh.positions.front().z + back.mesh.positions.front().z;
+        for (float z = 0; z < 12; z += 0.37f)
+            EXPECT_NEAR(height(back, 0.4f, z), height(there, -0.4f, length - z), 1e-5f) << name << ' ' << z;
+    }
+    const auto rise = [](const Course& c) { return height_at(*c.ground, 0, 8) - height_at(*c.ground, 0, 0); };
+    EXPECT_GT(rise(make_course("stairs_up")), 1);
+    EXPECT_LT(rise(make_course("stairs_up", 15, true)), -1);
+}
+
+}  // namespace
+}  // namespace surefoot
