@@ -41,6 +41,12 @@ HarmonicGait read_any(const std::string& name) {
                                                                                 : fit_expressions(name);
 }
 
+/// The bundled idle, for bundled gaits that leave the ground as people do.
+std::shared_ptr<const HarmonicGait> idle_of(const std::string& name, const HarmonicGait& gait) {
+    if (std::filesystem::exists(name) || fitted_gait_text(gait.name).empty() || gait.name == "idle") return nullptr;
+    return std::make_shared<const HarmonicGait>(fitted_gait("idle"));
+}
+
 }  // namespace
 
 bool is_live_gait(const std::string& name) {
@@ -53,7 +59,7 @@ LiveGait read_live_gait(const std::string& name) {
     LiveGait live;
     const auto gait = std::make_shared<const HarmonicGait>(read_any(name));
     live.name = gait->name;
-    live.rig = make_live_rig({{live.name, gait, nullptr}});
+    live.rig = make_live_rig({{live.name, gait, nullptr}}, idle_of(name, *gait));
     if (const std::string wrong = problem(live.rig); !wrong.empty())
         throw Error("the gait cannot be played live: " + wrong, name, "fit one from clips with two legs");
     std::vector<Transform> models(live.rig.stand.size());

@@ -50,11 +50,18 @@ struct LiveRig {
     std::vector<Transform> stand;          ///< local pose of standing still
     std::array<FootPrint, 2> stand_print;  ///< by Side: flat on the ground, seen from the root
     std::array<RootFrame, 2> stand_place;  ///< by Side: the same as a place on the ground
+
+    std::shared_ptr<const HarmonicGait> idle;  ///< what it does while it stands; null: nothing
+    HarmonicLanes idle_lanes;                  ///< all joints follow one phase
+    std::vector<float> idle_values;
+    std::vector<Transform> idle_to_stand;  ///< by joint: what takes the idle's mean posture to `stand`
+    float idle_hz = 0;                     ///< [cycles/s]
 };
 
 /// `manners` are of one skeleton, with legs; at most k_most_manners. It stands in the first manner's mean posture, with
-/// its feet side by side. Throws nothing; check `problem` before use.
-LiveRig make_live_rig(std::vector<LiveManner> manners);
+/// its feet side by side; what `idle` (of the same skeleton) does about its own mean posture is laid over that, and the
+/// feet stay. Throws nothing; check `problem` before use.
+LiveRig make_live_rig(std::vector<LiveManner> manners, std::shared_ptr<const HarmonicGait> idle = nullptr);
 /// What is wrong with it, as a sentence; empty: nothing, and then update and pose cannot fail.
 std::string problem(const LiveRig& rig);
 
@@ -83,7 +90,8 @@ struct LiveState {
     std::array<Glide, k_most_manners> weight{};  ///< of manners; add up to 1
     Glide standing;                              ///< 0: goes, 1: stands
     std::array<LiveFoot, 2> feet;                ///< by Side
-    std::int32_t rests = 0;                      ///< 1: both feet have arrived, and time stands still
+    float breath = 0;                            ///< [0, 1) of the idle's cycle
+    std::int32_t rests = 0;                      ///< 1: both feet have arrived, and the limbs' time stands still
 };
 static_assert(std::is_trivially_copyable_v<LiveState> && sizeof(LiveState) <= 512);
 
@@ -93,7 +101,7 @@ struct LiveFrame {
     float turn = 0;               ///< [deg/s] the same
     float frequency = 0;          ///< [cycles/s]
     std::array<bool, 2> planted;  ///< by Side: stands at its place
-    bool rests = false;           ///< stands still, and will until asked otherwise
+    bool rests = false;           ///< stands, breathing at most, and will until asked otherwise
 };
 
 /// A character that has long been doing as asked; `phase` is that of the left foot. Asked for nothing, it stands.
@@ -116,6 +124,7 @@ struct LiveScratch {
         HarmonicLanes::Waves waves;  ///< of the limbs, then of the two feet
     };
     std::vector<Manner> manners;
+    HarmonicLanes::Waves idle_waves;
     std::vector<Transform> locals;
 };
 

@@ -45,8 +45,21 @@ void add_pose(std::span<Transform> sum, std::span<const Transform> from, float w
     }
 }
 
+/// The stand as it breathes just now: in the scratch, or as it is.
+std::span<const Transform> stand_at(const LiveRig& rig, float breath, LiveScratch& scratch) noexcept {
+    if (!rig.idle) return rig.stand;
+    rig.idle_lanes.waves_at(std::array<float, 8>{breath}, scratch.idle_waves);
+    rig.idle_lanes.joint_pose(rig.idle_values, scratch.idle_waves, scratch.locals);
+    for (std::size_t j = 0; j < scratch.locals.size(); ++j) {
+        Transform& local = scratch.locals[j];
+        local = {rig.idle_to_stand[j].rotation * local.rotation, rig.idle_to_stand[j].translation + local.translation};
+    }
+    return scratch.locals;
+}
+
 /// The joints of all that is done at once.
-void blend_joints(const LiveRig& rig, const Mixture& now, LiveScratch& scratch, std::span<Transform> locals) noexcept {
+void blend_joints(const LiveRig& rig, const LiveState& state, const Mixture& now, LiveScratch& scratch,
+                  std::span<Transform> locals) noexcept {
     bool first = true;
     for (std::size_t m = 0; m < rig.manners.size(); ++m) {
         const float weight = now.share[m] * (1 - now.standing);
@@ -58,7 +71,7 @@ void blend_joints(const LiveRig& rig, const Mixture& now, LiveScratch& scratch, 
         add_pose(locals, scratch.locals, weight, first);
         first = false;
     }
-    if (now.standing > 0) add_pose(locals, rig.stand, now.standing, first);
+    if (now.standing > 0) add_pose(locals, stand_at(rig, state.breath, scratch), now.standing, first);
     for (Transform& local : locals) local.rotation = normalized(local.rotation);
 }
 
@@ -136,7 +149,7 @@ FootGoal goal_of(const LiveRig& rig, const LiveState& state, const Mixture& now,
 void pose(const LiveRig& rig, const LiveState& state, LiveScratch& scratch, std::span<Transform> locals) noexcept {
     const Mixture now = mixture_of(rig, state);
     prepare(rig, state, now, scratch);
-    blend_joints(rig, now, scratch, locals);
+    blend_joints(rig, state, now, scratch, locals);
     std::array<FootGoal, 2> goals{goal_of(rig, state, now, scratch, 0), goal_of(rig, state, now, scratch, 1)};
     settle_on_feet(*rig.skeleton, rig.soles, rig.legs, goals, locals);
 }

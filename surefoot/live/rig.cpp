@@ -73,11 +73,33 @@ void level(FootPrint& print, const LegPaths::Side& leg) {
     print.ball = Vec3{middle.x, 0, middle.z} + flat * 0.5f;
 }
 
+/// The stand's own posture stays: only what the idle does about its mean is taken from it.
+void add_idle(LiveRig& rig) {
+    const HarmonicGait& idle = *rig.idle;
+    std::vector<float> values(static_cast<std::size_t>(value_count(idle)));
+    values_at(idle, 0, 0, values);
+    rig.idle_hz = rhythm_of(idle, values).frequency;
+    const std::vector<Transform> mean = mean_posture(idle, values);
+    for (std::size_t j = 0; j < mean.size(); ++j)
+        rig.idle_to_stand.push_back(
+            {rig.stand[j].rotation * conjugate(mean[j].rotation), rig.stand[j].translation - mean[j].translation});
+    rig.idle_lanes = HarmonicLanes(idle, {});
+    rig.idle_values.resize(rig.idle_lanes.value_count());
+    rig.idle_lanes.values_at(0, 0, rig.idle_values);
+}
+
+std::string problem_of(const LiveRig& rig, const HarmonicGait& gait) {
+    if (const std::string text = problem(gait); !text.empty()) return ": " + text;
+    if (gait.skeleton != rig.skeleton && !(*gait.skeleton == *rig.skeleton)) return " is of another skeleton";
+    return {};
+}
+
 }  // namespace
 
-LiveRig make_live_rig(std::vector<LiveManner> manners) {
+LiveRig make_live_rig(std::vector<LiveManner> manners, std::shared_ptr<const HarmonicGait> idle) {
     LiveRig rig;
     rig.manners = std::move(manners);
+    rig.idle = std::move(idle);
     if (rig.manners.empty() || !rig.manners.front().gait || !problem(*rig.manners.front().gait).empty()) return rig;
     const HarmonicGait& first = *rig.manners.front().gait;
     rig.skeleton = first.skeleton;
@@ -96,8 +118,9 @@ LiveRig make_live_rig(std::vector<LiveManner> manners) {
     rig.stand[static_cast<std::size_t>(rig.soles.hips)].translation.y += rise_of(rig, rig.stand, goals);
     settle_on_feet(*rig.skeleton, rig.soles, rig.legs, goals, rig.stand);
     find_limbs(rig);
-    if (problem(rig).empty())
-        for (const LiveManner& manner : rig.manners) rig.lanes.emplace_back(*manner.gait, rig.limb);
+    if (!problem(rig).empty()) return rig;
+    for (const LiveManner& manner : rig.manners) rig.lanes.emplace_back(*manner.gait, rig.limb);
+    if (rig.idle) add_idle(rig);
     return rig;
 }
 
@@ -107,11 +130,12 @@ std::string problem(const LiveRig& rig) {
         return "there are more than " + std::to_string(k_most_manners) + " manners";
     for (const LiveManner& manner : rig.manners) {
         if (!manner.gait) return "the manner '" + manner.name + "' has no gait";
-        if (const std::string text = problem(*manner.gait); !text.empty()) return manner.name + ": " + text;
+        if (const std::string text = problem_of(rig, *manner.gait); !text.empty())
+            return "the gait '" + manner.name + "'" + text;
         if (manner.gait->legs.count == 0) return "the gait '" + manner.name + "' knows no legs";
-        if (manner.gait->skeleton != rig.skeleton && !(*manner.gait->skeleton == *rig.skeleton))
-            return "the gait '" + manner.name + "' is of another skeleton";
     }
+    if (rig.idle)
+        if (const std::string text = problem_of(rig, *rig.idle); !text.empty()) return "the idle" + text;
     return {};
 }
 

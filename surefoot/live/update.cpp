@@ -142,6 +142,7 @@ void step(const LiveRig& rig, LiveState& state, float dt, RootFrame& root) noexc
     advance(state.posture_turn, dt);
     advance(state.standing, dt);
     for (Glide& weight : state.weight) advance(weight, dt);
+    state.breath = wrap_phase(state.breath + rig.idle_hz * dt);
     if (state.rests != 0) return;
     advance(state.limbs, before.order.offset, before.rhythm.frequency, dt);
     const Mixture now = mixture_of(rig, state);

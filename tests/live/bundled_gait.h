@@ -16,4 +16,11 @@ inline const LiveRig& bundled_rig() {
     return rig;
 }
 
+/// The same, breathing while it stands.
+inline const LiveRig& bundled_breathing_rig() {
+    static const LiveRig rig = make_live_rig({{"human", bundled_family(), nullptr}},
+                                             std::make_shared<const HarmonicGait>(fitted_gait("idle")));
+    return rig;
+}
+
 }  // namespace surefoot::test

@@ -65,6 +65,12 @@ TEST(Live, the_bundled_rig_is_sound_and_broken_ones_are_named) {
     auto legless = std::make_shared<HarmonicGait>(*bundled_family());
     legless->legs.count = 0;
     EXPECT_NE(problem(make_live_rig({{"legless", legless, nullptr}})).find("knows no legs"), std::string::npos);
+    auto strange = std::make_shared<HarmonicGait>(*bundled_family());
+    auto skeleton = std::make_shared<Skeleton>(*strange->skeleton);
+    skeleton->names.front() += "?";
+    strange->skeleton = skeleton;
+    EXPECT_EQ(problem(make_live_rig({{"human", bundled_family(), nullptr}}, strange)),
+              "the idle is of another skeleton");
 }
 
 TEST(Live, steady_it_is_the_fitted_gait_to_a_millimetre) {
@@ -196,6 +202,41 @@ TEST(Live, asked_to_stop_at_any_moment_it_ends_in_a_stand_with_both_feet_where_t
             }
 }
 
+TEST(Live, stopped_it_breathes_and_its_feet_stay_where_they_are) {
+    const LiveRig& rig = test::bundled_breathing_rig();
+    ASSERT_EQ(problem(rig), "");
+    Player player(rig, {1.4f, 0}, 0.3f);
+    for (int f = 0; f < 360 && !player.frame.rests; ++f) player.go({});
+    ASSERT_TRUE(player.frame.rests);
+    const std::array<SolePoints, 2> stood{player.sole(0), player.sole(1)};
+    const std::vector<Transform> before = player.models;
+    const auto head = static_cast<std::size_t>(rig.skeleton->find("Head"));
+    float moved = 0, quickest = 0;
+    for (int f = 0; f < 15 * 60; ++f) {
+        const Vec3 last = player.models[head].translation;
+        player.go({});
+        ASSERT_TRUE(player.frame.rests);
+        moved = std::max(moved, distance(player.models[head].translation, before[head].translation));
+        quickest = std::max(quickest, distance(player.models[head].translation, last) / k_dt);
+        for (std::size_t side = 0; side < 2; ++side) {
+            const SolePoints now = player.sole(side);
+            ASSERT_LT(distance(now.heel, stood[side].heel), 5e-4f) << f;
+            ASSERT_LT(distance(now.ball, stood[side].ball), 5e-4f) << f;
+        }
+    }
+    EXPECT_GT(moved, 0.003f);
+    EXPECT_LT(quickest, 0.1f) << "m/s";
+}
+
+TEST(Live, an_idle_changes_nothing_of_what_goes_steadily) {
+    Player plain(bundled_rig(), {1.4f, 0}, 0.3f), breathing(test::bundled_breathing_rig(), {1.4f, 0}, 0.3f);
+    for (int f = 0; f < 120; ++f) {
+        plain.go({1.4f, 0});
+        breathing.go({1.4f, 0});
+        ASSERT_EQ(plain.locals, breathing.locals) << f;
+    }
+}
+
 TEST(Live, from_a_stand_the_foot_on_the_side_of_the_turn_steps_off_at_once) {
     for (const float turn : {50.0f, -50.0f}) {
         Player player(bundled_rig(), {});
@@ -238,7 +279,7 @@ TEST(Live, the_frame_rate_hardly_matters) {
 
 TEST(Live, saving_is_copying_bytes_and_a_frame_allocates_nothing) {
     Random random(5);
-    Player player(bundled_rig(), {1.4f, 0});
+    Player player(test::bundled_breathing_rig(), {1.4f, 0});
     for (int i = 0; i < 100; ++i) player.go({2, 10});
     LiveState saved;
     std::memcpy(&saved, &player.state, sizeof saved);
