@@ -13,7 +13,7 @@ namespace surefoot {
 namespace {
 
 constexpr float k_lead = 0.5f;    // [s] of the old gait before the other is asked for
-constexpr float k_tail = 2.2f;    // [s] after the glide: a stop has taken its steps by then
+constexpr float k_tail = 4.5f;    // [s] after the glide: a stop has taken its steps by then
 constexpr float k_steady = 4.0f;  // [s] of a gait alone: some cycles
 /// Joints that hardly move in either gait count as though they moved so much: a hundredth of a degree a frame and
 /// frame.

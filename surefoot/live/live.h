@@ -44,10 +44,13 @@ struct LiveRig {
     std::shared_ptr<const Skeleton> skeleton;
     Legs soles;
     LegPaths legs;
-    std::vector<LiveManner> manners;       ///< the first is how it starts
-    std::vector<HarmonicLanes> lanes;      ///< of the manners' gaits
-    std::vector<std::uint8_t> limb;        ///< by joint: the Limb it belongs to
-    std::vector<Transform> stand;          ///< local pose of standing still
+    std::vector<LiveManner> manners;   ///< the first is how it starts
+    std::vector<HarmonicLanes> lanes;  ///< of the manners' gaits
+    std::vector<std::uint8_t> limb;    ///< by joint: the Limb it belongs to
+    std::vector<Transform> stand;      ///< local pose of standing still
+    /// By manner: [s] the least in which a body gets into it or out of it; 0 where its mean posture is near the
+    /// first's.
+    std::array<float, k_most_manners> change_seconds{};
     std::array<FootPrint, 2> stand_print;  ///< by Side: flat on the ground, seen from the root
     std::array<RootFrame, 2> stand_place;  ///< by Side: the same as a place on the ground
 
@@ -66,10 +69,12 @@ LiveRig make_live_rig(std::vector<LiveManner> manners, std::shared_ptr<const Har
 std::string problem(const LiveRig& rig);
 
 struct LiveRequest {
-    float speed = 0;     ///< [m/s] in the direction in which the manner goes (a family: along its facing)
-    float turn = 0;      ///< [deg/s] positive to its left; both 0: stand
-    int manner = 0;      ///< index into LiveRig::manners
-    float glide = 0.8f;  ///< [s] in which to get there; changes that no body makes so quickly take longer
+    float speed = 0;  ///< [m/s] in the direction in which the manner goes (a family: along its facing)
+    float turn = 0;   ///< [deg/s] positive to its left; both 0: stand
+    int manner = 0;   ///< index into LiveRig::manners
+    /// [s] in which to get there; changes that no body makes so quickly take longer: from a run to a walk a second,
+    /// into a crouch and out of it nearly four.
+    float glide = 0.8f;
 };
 
 /// One foot. Frames are planar: places on the ground with a heading.

@@ -1,6 +1,7 @@
 #include <surefoot/live/mixture.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace surefoot {
 namespace {
@@ -88,6 +89,30 @@ void add_idle(LiveRig& rig) {
     rig.idle_lanes.values_at(0, 0, rig.idle_values);
 }
 
+/// The angle of the joint that has farthest to go [deg].
+float farthest(const std::vector<Transform>& from, const std::vector<Transform>& to) {
+    float most = 0;
+    for (std::size_t j = 0; j < std::min(from.size(), to.size()); ++j)
+        most = std::max(most, length(to_rotation_vector(conjugate(from[j].rotation) * to[j].rotation)));
+    return most / k_radians_per_degree;
+}
+
+/// A cubic glide through an angle A accelerates by 6 A / T^2 at most.
+void find_changes(LiveRig& rig) {
+    constexpr float k_near_deg = 20, k_most_deg_s2 = 40;
+    std::vector<Transform> first;
+    for (std::size_t m = 0; m < std::min<std::size_t>(rig.manners.size(), k_most_manners); ++m) {
+        const std::shared_ptr<const HarmonicGait>& gait = rig.manners[m].gait;
+        if (!gait || !problem(*gait).empty()) continue;
+        std::vector<float> values(static_cast<std::size_t>(value_count(*gait)));
+        values_at(*gait, gait->family() ? gait->basis.least_speed : 0, 0, values);
+        const std::vector<Transform> posture = mean_posture(*gait, values);
+        if (m == 0) first = posture;
+        const float angle = farthest(first, posture);
+        rig.change_seconds[m] = angle < k_near_deg ? 0 : std::sqrt(6 * angle / k_most_deg_s2);
+    }
+}
+
 std::string problem_of(const LiveRig& rig, const HarmonicGait& gait) {
     if (const std::string text = problem(gait); !text.empty()) return ": " + text;
     if (gait.skeleton != rig.skeleton && !(*gait.skeleton == *rig.skeleton)) return " is of another skeleton";
@@ -118,6 +143,7 @@ LiveRig make_live_rig(std::vector<LiveManner> manners, std::shared_ptr<const Har
     rig.stand[static_cast<std::size_t>(rig.soles.hips)].translation.y += rise_of(rig, rig.stand, goals);
     settle_on_feet(*rig.skeleton, rig.soles, rig.legs, goals, rig.stand);
     find_limbs(rig);
+    find_changes(rig);
     if (!problem(rig).empty()) return rig;
     for (const LiveManner& manner : rig.manners) rig.lanes.emplace_back(*manner.gait, rig.limb);
     if (rig.idle) add_idle(rig);

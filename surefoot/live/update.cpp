@@ -14,9 +14,13 @@ constexpr float k_most_slowing = 1.8f;           // [m/s^2] into a slower gait, 
 constexpr float k_most_braking = 3;              // [m/s^2] into a stand
 constexpr float k_most_turn_acceleration = 200;  // [deg/s^2]
 constexpr float k_least_change = 1.0f;           // [s] of posture
+// What has become another manner's own is fast or turning only later than the posture is there.
+constexpr float k_after_posture = 1.1f;  // times
 // A foot that stands so near to where it belongs need not step.
 constexpr float k_near = 0.05f;       // [m]
 constexpr float k_near_turn = 0.12f;  // [rad]
+
+std::size_t at(int i) noexcept { return static_cast<std::size_t>(i); }
 
 /// Whatever a host asks for, no number may come out of it that is none.
 LiveRequest bounded(const LiveRig& rig, LiveRequest request) noexcept {
@@ -182,19 +186,41 @@ float seconds_to_stop(const LiveRig& rig, const LiveState& state, float seconds)
     return seconds;
 }
 
+/// [s] The least in which posture may change: the manner asked for, or one that is still being left, may be far off.
+float posture_seconds(const LiveRig& rig, const LiveState& state, const LiveRequest& request) noexcept {
+    float seconds = k_least_change;
+    for (std::size_t m = 0; m < rig.manners.size(); ++m)
+        if (static_cast<int>(m) == request.manner || state.weight[m].value() > 0)
+            seconds = std::max(seconds, rig.change_seconds[m]);
+    return seconds;
+}
+
+/// Speed and turn in step with posture. Growing, they wait for it: who rises from a crouch runs when he is up. Into a
+/// manner that is far from the first they shrink beforehand, as quickly as ever. Where no manner is far off, they do as
+/// they like.
+void aim_travel(const LiveRig& rig, LiveState& state, const LiveRequest& request, bool stop) noexcept {
+    const float speed = stop ? 0 : request.speed, turn = stop ? 0 : request.turn;
+    const bool slows = std::fabs(speed) < std::fabs(state.speed.value());
+    const bool straightens = std::fabs(turn) <= std::fabs(state.turn.value());
+    const float posture = posture_seconds(rig, state, request);
+    const bool waits = !stop && posture > k_least_change, rises = rig.change_seconds[at(request.manner)] == 0;
+    const float later = std::max(request.glide, waits ? k_after_posture * std::max(request.glide, posture) : 0);
+    const float most = stop ? k_most_braking : slows ? k_most_slowing : k_most_acceleration;
+    float in = seconds_for(state.speed, speed, most, slows ? request.glide : later);
+    if (stop && state.speed.target != 0) in = seconds_to_stop(rig, state, in);
+    const bool turn_waits = !straightens || (!slows && rises);
+    aim(state.speed, speed, in);
+    aim(state.turn, turn, seconds_for(state.turn, turn, k_most_turn_acceleration, turn_waits ? later : request.glide));
+}
+
 void hear(const LiveRig& rig, LiveState& state, const LiveRequest& request) noexcept {
     const bool stop = asks_for_nothing(request);
     const float speed = stop ? 0 : request.speed, turn = stop ? 0 : request.turn;
     if (state.rests != 0 && !stop) set_off(rig, state, request);
-    const bool slows = std::fabs(speed) < std::fabs(state.speed.value());
-    const float most = stop ? k_most_braking : slows ? k_most_slowing : k_most_acceleration;
-    float in = seconds_for(state.speed, speed, most, request.glide);
-    if (stop && state.speed.target != 0) in = seconds_to_stop(rig, state, in);
-    aim(state.speed, speed, in);
-    aim(state.turn, turn, seconds_for(state.turn, turn, k_most_turn_acceleration, request.glide));
+    const float seconds = std::max(request.glide, posture_seconds(rig, state, request));
+    aim_travel(rig, state, request, stop);
     aim(state.posture_speed, speed, std::max(state.speed.left(), k_least_change));
     aim(state.posture_turn, turn, std::max(state.turn.left(), k_least_change));
-    const float seconds = std::max(request.glide, k_least_change);
     aim(state.standing, stop ? 1.0f : 0.0f, stop ? std::max(seconds, state.speed.left()) : seconds);
     for (std::size_t m = 0; m < rig.manners.size(); ++m)
         aim(state.weight[m], static_cast<int>(m) == request.manner ? 1.0f : 0.0f, seconds);

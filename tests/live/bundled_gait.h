@@ -23,4 +23,13 @@ inline const LiveRig& bundled_breathing_rig() {
     return rig;
 }
 
+/// The same, and it can crouch.
+inline const LiveRig& bundled_crouching_rig() {
+    static const LiveRig rig =
+        make_live_rig({{"human", bundled_family(), nullptr},
+                       {"crouch", std::make_shared<const HarmonicGait>(fitted_gait("crouch")), nullptr}},
+                      std::make_shared<const HarmonicGait>(fitted_gait("idle")));
+    return rig;
+}
+
 }  // namespace surefoot::test
