@@ -9,10 +9,10 @@ const std::vector<std::string>& path_names() {
 }
 
 std::vector<PathLeg> walk_path(const std::string& name, float seconds, float turn) {
-    constexpr float k_turn = 30, k_circle = 360 / k_turn;  // [deg/s], [s]
+    constexpr float k_turn = 30, k_circle = 360 / k_turn, k_bend = 1.5f;  // [deg/s], [s], [s]
     if (name == "straight") return {{true, turn, seconds}};
-    if (name == "curve") return {{true, k_turn, seconds}};
     std::vector<PathLeg> legs;
+    if (name == "curve") legs = {{true, k_turn, k_bend}, {true, -k_turn, 2 * k_bend}, {true, k_turn, k_bend}};
     if (name == "eight") legs = {{true, k_turn, k_circle}, {true, -k_turn, k_circle}};
     if (name == "start-stop") legs = {{false, 0, 1}, {true, turn, 3}, {false, 0, 2.5f}};
     if (legs.empty())

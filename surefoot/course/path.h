@@ -16,9 +16,9 @@ struct PathLeg {
 /// "straight", "curve", "eight", "start-stop".
 const std::vector<std::string>& path_names();
 
-/// straight; curve (30 deg/s to the left); eight (two such circles, one to either side); start-stop (stand, go, stop
-/// and go again, over and over). Legs for `seconds` at least. `turn` [deg/s] is that of a straight way, for gaits that
-/// turn by themselves. Throws Error for another name.
+/// straight; curve (30 deg/s, by turns to the left and to the right, so that it gets ahead); eight (two circles at that
+/// rate, one to either side); start-stop (stand, go, stop and go again, over and over). Legs for `seconds` at least.
+/// `turn` [deg/s] is that of a straight way, for gaits that turn by themselves. Throws Error for another name.
 std::vector<PathLeg> walk_path(const std::string& name, float seconds, float turn = 0);
 
 /// Where a path stands.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double k_check_interval = 1.0 / 15;  // [s] how often a coming foothold is looked at again
 constexpr float k_moved = 0.02f;               // [m] by which steering must have moved it to plan anew
-constexpr double k_too_late = 0.06;            // [s] before a strike nothing is planned anew
+constexpr float k_too_late = 0.06f;            // [s] before a strike nothing is planned anew
 constexpr float k_spring_step = 1.0f / 60;     // [s] the forecast's step: longer frames are cut into such
 
 GroundProbe probe_for(const FootRig& rig, const FootInput& input, const Ground& ground) noexcept {
@@ -94,17 +94,18 @@ Quat bend_toes(const WorldLeg& leg, const PlacedFoot& placed, Vec3 ankle, const 
     return bend_toe_up(toe, probe.height(tip.x, tip.z) + own - tip.y);
 }
 
-/// True where steering has moved a foothold that a foot is swinging to.
-bool foothold_moved(const FootRig& rig, const FootPlacementState& state, const LegPreview& preview) noexcept {
+/// True where steering has moved what was foreseen: the foothold of a foot that swings, or the way of one that stands,
+/// which now shall go, or stay.
+bool steered_away(const FootRig& rig, const FootPlacementState& state, const LegPreview& preview) noexcept {
     for (std::size_t side = 0; side < 2; ++side) {
         const FootState& foot = state.feet[side];
-        if (!foot.has_next || state.clock < foot.lift || foot.strike - state.clock < k_too_late) continue;
-        const auto ahead = static_cast<float>(foot.strike - state.clock);
+        const auto ahead = static_cast<float>(foot.foreseen_at - state.clock);
+        if (ahead < k_too_late) continue;
         LegsPose legs;
         RootFrame root;
         preview.sample({&ahead, 1}, {&legs, 1}, {&root, 1});
         const LegPoints p = world_leg(rig.legs.side[side], legs.side[side], root).points;
-        if (planar_length((p.heel + p.ball) * 0.5f - foot.strike_probe) > k_moved) return true;
+        if (planar_length((p.heel + p.ball) * 0.5f - foot.foreseen) > k_moved) return true;
     }
     return false;
 }
@@ -137,7 +138,7 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
             }
         plan |= state.clock >= state.next_plan;
         if (!plan && state.clock >= state.next_check) {
-            plan = foothold_moved(rig, state, preview);
+            plan = steered_away(rig, state, preview);
             state.next_check = state.clock + k_check_interval;
         }
     }

@@ -100,7 +100,8 @@ struct FootState {
     /// How far the heel rises about the ball before it lifts, where the leg would be too short [rad]; and when [s].
     float rise = 0;
     double rise_from = 0, rise_peak = 0, rise_until = 0;
-    Vec3 strike_probe;  ///< [m] where the clip's foot was to be at the strike when this was planned
+    double foreseen_at = 0;  ///< [s] the strike, or half a second after the plan
+    Vec3 foreseen;           ///< [m] where the clip's foot was to be then, said the forecast of this plan
     // What replanning left over, fading out by the strike, so that position and velocity go on without a jump.
     double fade_from = 0, fade_until = 0;
     Vec3 fade_offset, fade_rate;  ///< [m], [m/s] level

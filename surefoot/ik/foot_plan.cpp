@@ -115,8 +115,6 @@ void Planner::plan_swing(std::size_t side, const ContactRun& landing) noexcept {
     FootState& foot = state_.feet[side];
     foot.next = make_plant(side, landing);
     foot.strike = std::max(forecast_.time(landing.first), std::max(foot.lift, state_.clock) + k_moment);
-    const LegPoints& at_strike = forecast_.legs[side][static_cast<std::size_t>(landing.first)];
-    foot.strike_probe = (at_strike.heel + at_strike.ball) * 0.5f;
     foot.has_next = true;
 }
 
@@ -331,6 +329,12 @@ void plan_feet(const FootRig& rig, FootPlacementState& state, const GroundProbe&
     planner.plan_hips();
     state.started = true;
     state.next_plan = state.clock + k_plan_interval;
+    for (std::size_t side = 0; side < 2; ++side) {
+        FootState& foot = state.feet[side];
+        foot.foreseen_at = is_swinging(foot, state.clock) ? foot.strike : state.next_plan;
+        const LegPoints then = forecast.at(side, foot.foreseen_at);
+        foot.foreseen = (then.heel + then.ball) * 0.5f;
+    }
     ++state.plans;
 }
 

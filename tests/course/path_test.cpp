@@ -87,6 +87,31 @@ TEST(Path, a_character_walks_backward_where_its_clips_do) {
     EXPECT_NEAR(walked.motion.root.back().position.z, -4.8f, 0.05f);
 }
 
+TEST(Path, feet_notice_at_once_that_a_standing_character_goes_and_a_going_one_stops) {
+    for (const char* name : {"hills", "cross_slope"}) {
+        const auto walker = make_character_walker(character(), {}, walk_path("start-stop", 16));
+        const WalkComparison c = compare_modes(*walker, *make_course(name).ground, 1.4f, 16);
+        const WalkMetrics& ours = c.metrics[static_cast<std::size_t>(FootMode::surefoot)];
+        EXPECT_LT(ours.penetration_max_cm, 1.5) << name;
+        EXPECT_LT(ours.float_mean_cm, 0.1) << name;
+        EXPECT_LT(ours.sole_angle_worst_deg, 6) << name;
+        EXPECT_LT(ours.hip_jerk_ratio, 2) << name;
+        EXPECT_GT(ours.knee_min_deg, 60) << name;
+    }
+}
+
+TEST(Path, curving_over_hills_feet_stand_as_they_do_going_straight) {
+    const auto walker = make_character_walker(character(), {}, walk_path("curve", 16));
+    const WalkComparison c = compare_modes(*walker, *make_course("hills").ground, 1.4f, 16);
+    const WalkMetrics& ours = c.metrics[static_cast<std::size_t>(FootMode::surefoot)];
+    EXPECT_GT(c.twin.motion.root.back().position.z, 15) << "it gets ahead";
+    EXPECT_LT(ours.penetration_max_cm, 1.5);
+    EXPECT_LT(ours.float_mean_cm, 0.1);
+    EXPECT_LT(ours.knee_peak_ratio, 1.8);
+    EXPECT_LT(ours.hip_jerk_ratio, 2);
+    EXPECT_LT(ours.skate_cm_s, c.metrics[0].skate_cm_s + 0.5);
+}
+
 TEST(Course, reversed_it_is_the_same_ground_from_its_far_end) {
     for (const std::string& name : course_names()) {
         const Course there = make_course(name), back = make_course(name, 15, true);
