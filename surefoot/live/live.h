@@ -51,8 +51,9 @@ struct LiveRig {
     /// By manner: [s] the least in which a body gets into it or out of it; 0 where its mean posture is near the
     /// first's.
     std::array<float, k_most_manners> change_seconds{};
-    std::array<FootPrint, 2> stand_print;  ///< by Side: flat on the ground, seen from the root
-    std::array<RootFrame, 2> stand_place;  ///< by Side: the same as a place on the ground
+    std::array<Vec3, k_most_manners> direction{};  ///< by manner: which way it goes, seen from its root; unit
+    std::array<FootPrint, 2> stand_print;          ///< by Side: flat on the ground, seen from the root
+    std::array<RootFrame, 2> stand_place;          ///< by Side: the same as a place on the ground
 
     std::shared_ptr<const HarmonicGait> idle;  ///< what it does while it stands; null: nothing
     HarmonicLanes idle_lanes;                  ///< all joints follow one phase

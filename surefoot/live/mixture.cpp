@@ -39,11 +39,6 @@ void find_shares(const LiveRig& rig, const LiveState& state, float ahead, Mixtur
 
 }  // namespace
 
-Vec3 direction_of(const HarmonicGait& gait) noexcept {
-    const Vec3 velocity = rhythm_at(gait, 1, 0).velocity;
-    return normalized(Vec3{velocity.x, 0, velocity.z}, {0, 0, 1});
-}
-
 Mixture mixture_of(const LiveRig& rig, const LiveState& state, float ahead) noexcept {
     Mixture mixture;
     mixture.speed = state.speed.value(ahead);
@@ -61,7 +56,7 @@ Mixture mixture_of(const LiveRig& rig, const LiveState& state, float ahead) noex
         const GaitRhythm rhythm = rhythm_of_manner(*manner.gait, mixture.speed, mixture.turn);
         sum.frequency += share * rhythm.frequency;
         sum.right_strike += share * rhythm.right_strike;
-        mixture.direction += share * direction_of(*manner.gait);
+        mixture.direction += share * rig.direction[m];
         const FootfallPattern order = order_of(manner, rhythm);
         done += share;
         mixture.order = share == done ? order : mix(mixture.order, order, share / done);

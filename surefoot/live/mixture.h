@@ -19,9 +19,6 @@ struct Mixture {
     FootfallPattern order;  ///< duty is in the rhythm already
 };
 
-/// Which way a gait goes, seen from its root: unit.
-Vec3 direction_of(const HarmonicGait& gait) noexcept;
-
 /// `ahead` seconds from now, if nothing else is asked for.
 Mixture mixture_of(const LiveRig& rig, const LiveState& state, float ahead = 0) noexcept;
 

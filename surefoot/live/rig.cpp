@@ -113,6 +113,11 @@ void find_changes(LiveRig& rig) {
     }
 }
 
+Vec3 direction_of(const HarmonicGait& gait) noexcept {
+    const Vec3 velocity = rhythm_at(gait, 1, 0).velocity;
+    return normalized(Vec3{velocity.x, 0, velocity.z}, {0, 0, 1});
+}
+
 std::string problem_of(const LiveRig& rig, const HarmonicGait& gait) {
     if (const std::string text = problem(gait); !text.empty()) return ": " + text;
     if (gait.skeleton != rig.skeleton && !(*gait.skeleton == *rig.skeleton)) return " is of another skeleton";
@@ -145,7 +150,10 @@ LiveRig make_live_rig(std::vector<LiveManner> manners, std::shared_ptr<const Har
     find_limbs(rig);
     find_changes(rig);
     if (!problem(rig).empty()) return rig;
-    for (const LiveManner& manner : rig.manners) rig.lanes.emplace_back(*manner.gait, rig.limb);
+    for (std::size_t m = 0; m < rig.manners.size(); ++m) {
+        rig.lanes.emplace_back(*rig.manners[m].gait, rig.limb);
+        rig.direction[m] = direction_of(*rig.manners[m].gait);
+    }
     if (rig.idle) add_idle(rig);
     return rig;
 }

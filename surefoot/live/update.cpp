@@ -270,9 +270,8 @@ RootFrame travel(const LiveRig& rig, const LiveState& state, float seconds) noex
     for (std::size_t m = 0; m < rig.manners.size(); ++m) {
         const float weight = std::max(0.0f, state.weight[m].value());
         if (weight == 0) continue;
-        const HarmonicGait& gait = *rig.manners[m].gait;
         sum += weight;
-        direction += weight * direction_of(gait);
+        direction += weight * rig.direction[m];
     }
     direction = direction / sum;
     if (state.speed.arrived() && state.turn.arrived())
