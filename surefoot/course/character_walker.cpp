@@ -36,7 +36,6 @@ class CharacterWalker final : public Walker {
     void start(float speed_mps) override {
         asked_.speed = speed_mps;
         asked_.lateral = 0;
-        most_ = k_any_speed;
         clock_ = {};
         now_ = {};
         now_.request = wanted();
@@ -49,7 +48,6 @@ class CharacterWalker final : public Walker {
         foreseen_ = now_;
         ahead_ = 0;
     }
-    void limit_speed(float most_mps) noexcept override { most_ = most_mps; }
     RootFrame requested() const noexcept override { return now_.requested; }
     /// What comes is foreseen from what is asked for now: no later leg of the path is known.
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
@@ -67,7 +65,7 @@ class CharacterWalker final : public Walker {
     LocomotionRequest wanted() const noexcept {
         LocomotionRequest wanted = asked_;
         const PathLeg& leg = clock_.leg(path_);
-        wanted.speed = leg.goes ? std::clamp(asked_.speed, -most_, most_) : 0;
+        wanted.speed = leg.goes ? asked_.speed : 0;
         wanted.turn = leg.turn;
         return wanted;
     }
@@ -75,7 +73,6 @@ class CharacterWalker final : public Walker {
     const Character& character_;
     LocomotionRequest asked_;
     std::vector<PathLeg> path_;
-    float most_ = k_any_speed;
     PathClock clock_;
     Going now_;
     mutable Going foreseen_;  // `now_` and `ahead_` seconds more: what is asked next mostly lies a little farther

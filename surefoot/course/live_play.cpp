@@ -1,8 +1,6 @@
 #include <surefoot/base/error.h>
 #include <surefoot/course/live_play.h>
 
-#include <algorithm>
-
 namespace surefoot {
 namespace {
 
@@ -17,7 +15,6 @@ class LiveWalker final : public Walker {
     std::span<const Transform> standing() const override { return standing_; }
     void start(float speed_mps) override {
         going_.speed = speed_mps;
-        most_ = k_any_speed;
         clock_ = {};
         state_ = surefoot::start(rig_, wanted());
         root_ = {};
@@ -26,7 +23,6 @@ class LiveWalker final : public Walker {
         clock_.advance(path_, dt);
         root_ = root_ * update(rig_, state_, wanted(), dt).root_delta;
     }
-    void limit_speed(float most_mps) noexcept override { most_ = most_mps; }
     /// Live gaits glide to what they are asked for, and the glide is what there is to obey.
     RootFrame requested() const noexcept override { return root_; }
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
@@ -39,7 +35,7 @@ class LiveWalker final : public Walker {
     LiveRequest wanted() const noexcept {
         LiveRequest wanted = going_;
         const PathLeg& leg = clock_.leg(path_);
-        wanted.speed = leg.goes ? std::clamp(going_.speed, -most_, most_) : 0;
+        wanted.speed = leg.goes ? going_.speed : 0;
         wanted.turn = leg.turn;
         return wanted;
     }
@@ -52,7 +48,6 @@ class LiveWalker final : public Walker {
     LiveState state_;
     RootFrame root_;
     PathClock clock_;
-    float most_ = k_any_speed;
 };
 
 }  // namespace

@@ -96,7 +96,6 @@ Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request) {
     const FootRig rig = make_foot_rig(*walker.skeleton(), walker.legs(), walker.standing(), settings);
     const WalkerPreview preview(walker, rig);
     walker.start(request.speed_mps);
-    const bool replays = !request.speed_limits.empty();
 
     Walked walked;
     walked.motion = make_motion(walker.skeleton(), "walk", frames, k_walk_fps);
@@ -106,14 +105,8 @@ Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request) {
     for (int f = 0; f < frames; ++f) {
         const std::span<Transform> locals = walked.motion.frame(f);
         RootFrame& root = walked.motion.root[static_cast<std::size_t>(f)];
-        const auto at = static_cast<std::size_t>(f);
-        float limit = k_any_speed;
-        if (replays) limit = request.speed_limits[std::min(at, request.speed_limits.size() - 1)];
-        if (request.limited) limit = output.speed_limit;
-        walker.limit_speed(limit);
         if (f) walker.advance(k_dt);
         walked.requested.push_back(walker.requested());
-        walked.speed_limits.push_back(limit);
         walker.look(0, root, locals);
         root.position.y = height_at(ground, root.position.x, root.position.z);
         clean_models(walker, rig, locals, models);
@@ -129,15 +122,11 @@ Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request) {
     return walked;
 }
 
-WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds, bool limited) {
+WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds) {
     WalkComparison result;
     result.legs = walker.legs();
-    WalkRequest request{speed_mps, seconds, FootMode::surefoot, limited, {}};
-    Walked& placed = result.walked[static_cast<std::size_t>(FootMode::surefoot)];
-    placed = walk(walker, ground, request);
-    request.limited = false;
-    request.speed_limits = placed.speed_limits;
-    for (const FootMode mode : {FootMode::none, FootMode::colvin2013}) {
+    WalkRequest request{speed_mps, seconds, FootMode::surefoot};
+    for (const FootMode mode : {FootMode::none, FootMode::colvin2013, FootMode::surefoot}) {
         request.mode = mode;
         result.walked[static_cast<std::size_t>(mode)] = walk(walker, ground, request);
     }

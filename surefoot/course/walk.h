@@ -30,9 +30,6 @@ class Walker {
     /// Back to the start: the root at the origin facing +Z, already walking straight ahead.
     virtual void start(float speed_mps) = 0;
     virtual void advance(float dt) noexcept = 0;
-    /// From now on no faster than this, whatever is asked for: what the ground permits (FootOutput::speed_limit).
-    /// Clips go at the speed they have.
-    virtual void limit_speed(float /*most_mps*/) noexcept {}
     /// Where the root would be had it obeyed exactly.
     virtual RootFrame requested() const noexcept = 0;
     /// The root in the world (y = 0) and the pose, `ahead` >= 0 seconds from now if nothing else is asked for.
@@ -53,31 +50,24 @@ struct WalkRequest {
     float speed_mps = 1.4f;
     float seconds = 10;
     FootMode mode = FootMode::surefoot;
-    /// Slow down where foot placement asks for it.
-    bool limited = false;
-    /// One a frame [m/s]: slow down as an earlier walk did, whatever foot placement asks for.
-    std::vector<float> speed_limits{};
 };
 
 struct Walked {
     Motion motion;                             ///< in the world, at k_walk_fps: root frames and placed poses
     std::vector<RootFrame> requested;          ///< one a frame: the root, had it obeyed exactly
-    std::vector<float> speed_limits;           ///< one a frame [m/s]: what held in it
     std::array<std::vector<bool>, 2> planted;  ///< by Side, one a frame: stands, says foot placement
     int plans = 0;                             ///< how often foot placement planned
 };
 
 Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request);
 
-/// The same walk in all three modes, and on flat ground un-placed (the twin), measured. All slow down together where
-/// mode surefoot does.
+/// The same walk in all three modes, and on flat ground un-placed (the twin), measured.
 struct WalkComparison {
     std::array<Walked, 3> walked;        ///< by FootMode
     std::array<WalkMetrics, 3> metrics;  ///< by FootMode
     Walked twin;
     Legs legs;
 };
-WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds,
-                             bool limited = false);
+WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds);
 
 }  // namespace surefoot

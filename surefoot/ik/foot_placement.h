@@ -46,9 +46,6 @@ struct FootSettings {
     float ground_down = 2.5f;
 };
 
-/// A speed limit where there is none [m/s].
-inline constexpr float k_any_speed = 1e6f;
-
 /// Model-space joints of one leg, and the world rotations its local rotations are relative to.
 struct LegPose {
     Transform upper, lower, foot, toes;  ///< [m] relative to the root; toes = foot where there is no toe joint
@@ -138,8 +135,6 @@ struct FootOutput {
     bool moves_legs = false;          ///< false: the legs stay as they were, `leg` is not set
     std::array<bool, 2> planted{};    ///< stands on its foothold
     std::array<bool, 2> pulled_in{};  ///< could not reach its target
-    /// [m/s] Steer no faster: at this speed steps are too long for the ground ahead, and knees would fold.
-    float speed_limit = k_any_speed;
 };
 
 /// One frame. `preview` may be null for the modes none and colvin2013.
