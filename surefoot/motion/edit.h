@@ -3,6 +3,7 @@
 // it is.
 
 #include <surefoot/motion/motion.h>
+#include <surefoot/rig/mirror.h>
 #include <surefoot/rig/roles.h>
 
 namespace surefoot {
@@ -21,6 +22,8 @@ Motion mirror(const Motion& motion, const RoleMap& roles);
 
 /// Partner of each joint under mirroring (itself for joints on the middle line): by role, then by name.
 std::vector<int> mirror_pairs(const Skeleton& skeleton, const RoleMap& roles);
+/// What `mirror` does to each pose, for the runtime.
+MirrorMap mirror_map(const Skeleton& skeleton, const RoleMap& roles);
 
 /// The clip played backwards; root motion runs backwards too and starts where it started. Cyclic stays cyclic.
 Motion reverse(const Motion& motion);

@@ -11,10 +11,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// Reflection in the plane x = 0, of points and of rotations (S R S).
-Vec3 reflected(Vec3 v) { return {-v.x, v.y, v.z}; }
-Quat reflected(Quat q) { return {q.x, -q.y, -q.z, q.w}; }
-
 // One parsed key for both sides: "thigh_twist_01_l" and "thigh_twist_01_r" give the same.
 std::string sideless(const JointName& name) { return name.stem + "#" + name.number; }
 
@@ -46,7 +42,7 @@ void pair_by_name(const Skeleton& skeleton, std::vector<int>& pairs, const std::
     }
 }
 
-struct Mirror {
+struct CorrectionSearch {
     const Skeleton& skeleton;
     std::vector<int> pairs;
     // The mirrored joint's model rotation is reflected(partner's) * correction: what a joint's axes on one side differ
@@ -144,35 +140,28 @@ std::vector<int> mirror_pairs(const Skeleton& skeleton, const RoleMap& roles) {
     return pairs;
 }
 
+MirrorMap mirror_map(const Skeleton& skeleton, const RoleMap& roles) {
+    CorrectionSearch search{skeleton, mirror_pairs(skeleton, roles), {}};
+    search.find_corrections(roles);
+    const int hips = roles[Role::hips];
+    MirrorMap map;
+    map.correction = std::move(search.correction);
+    for (int j = 0; j < skeleton.joint_count(); ++j) {
+        map.partner.push_back(static_cast<std::int16_t>(search.pairs[at(j)]));
+        const bool carries = hips == k_no_joint ? skeleton.parents[at(j)] == k_no_joint : is_within(skeleton, hips, j);
+        map.carries.push_back(carries ? 1 : 0);
+    }
+    return map;
+}
+
 Motion mirror(const Motion& motion, const RoleMap& roles) {
     const Skeleton& skeleton = *motion.skeleton;
-    Mirror m{skeleton, mirror_pairs(skeleton, roles), {}};
-    m.find_corrections(roles);
+    const MirrorMap map = mirror_map(skeleton, roles);
     Motion result = motion;
-    for (RootFrame& frame : result.root) frame = {reflected(frame.position), -frame.yaw};
-    const std::size_t count = at(motion.joint_count());
-    const int hips = roles[Role::hips];
-    std::vector<Transform> models(count);
-    std::vector<Quat> turned(count);
-    for (int f = 0; f < motion.frame_count(); ++f) {
-        const auto pose = motion.frame(f);
-        const auto out = result.frame(f);
-        local_to_model(skeleton, pose, models);
-        for (std::size_t j = 0; j < count; ++j)
-            turned[j] = normalized(reflected(models[at(m.pairs[j])].rotation) * m.correction[j]);
-        for (std::size_t j = 0; j < count; ++j) {
-            const int parent = skeleton.parents[j], partner = m.pairs[j];
-            const Quat to_parent = parent == k_no_joint ? Quat{} : conjugate(turned[at(parent)]);
-            out[j].rotation = normalized(to_parent * turned[j]);
-            // From the hips up to the root positions are reflected as they are; elsewhere each side keeps its own
-            // offsets and takes the other's movement against them.
-            const Quat back = parent == k_no_joint ? Quat{} : conjugate(m.correction[at(parent)]);
-            const bool carries =
-                hips == k_no_joint ? parent == k_no_joint : is_within(skeleton, hips, static_cast<int>(j));
-            const Vec3 moved = pose[at(partner)].translation - (carries ? Vec3{} : m.offset(partner));
-            out[j].translation = (carries ? Vec3{} : m.offset(static_cast<int>(j))) + rotate(back, reflected(moved));
-        }
-    }
+    for (RootFrame& frame : result.root) frame = reflected(frame);
+    std::vector<Transform> scratch(2 * at(motion.joint_count()));
+    for (int f = 0; f < motion.frame_count(); ++f)
+        mirror_pose(skeleton, map, motion.frame(f), result.frame(f), scratch);
     return result;
 }
 
