@@ -10,6 +10,7 @@
 #include <surefoot/course/live_play.h>
 #include <surefoot/course/transitions.h>
 #include <surefoot/course/walk_report.h>
+#include <surefoot/graph_text/graph_file.h>
 #include <surefoot/host/files.h>
 #include <surefoot/io/load.h>
 
@@ -40,6 +41,7 @@ struct Options {
 struct Walking {
     std::string name;
     Character character;
+    GraphCharacter graph;
     LiveGait live;
     RoleMap roles;
     std::unique_ptr<Walker> walker;
@@ -102,20 +104,29 @@ void set_style(const std::string& text, const LocomotionGraph& graph, Locomotion
         throw Error("\"" + number + "\" is no weight", "--style", "give a number from 0 to 1");
 }
 
+struct Setting {
+    std::string name;
+    float value = 0;
+};
+/// "NAME=VALUE".
+Setting setting_of(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    Setting setting{text.substr(0, equals), 0};
+    const char* end = text.data() + text.size();
+    const bool number = equals != std::string::npos &&
+                        fast_float::from_chars(text.data() + equals + 1, end, setting.value).ptr == end &&
+                        equals + 1 < text.size() && std::isfinite(setting.value);
+    if (!number) throw Error("'" + text + "' sets nothing", "--set", "write it as style=0.5");
+    return setting;
+}
+
 /// "style=0.5" and the like, on axes that the character's spaces have.
 LocomotionRequest request_of(const Options& options, const LocomotionGraph& graph) {
     LocomotionRequest request;
     request.speed = options.speed;
     set_style(options.style, graph, request);
     for (const std::string& text : options.set) {
-        const std::size_t equals = text.find('=');
-        const std::string name = text.substr(0, equals);
-        float value = 0;
-        const char* end = text.data() + text.size();
-        const bool number = equals != std::string::npos &&
-                            fast_float::from_chars(text.data() + equals + 1, end, value).ptr == end &&
-                            equals + 1 < text.size() && std::isfinite(value);
-        if (!number) throw Error("'" + text + "' sets nothing", "--set", "write it as style=0.5");
+        const auto [name, value] = setting_of(text);
         const int slot = graph.custom_slot(name);
         if (slot < 0 && name != "slope") {
             std::string names = "slope";
@@ -145,6 +156,35 @@ void load_project_character(const Options& options, Walking& walking) {
         fmt::print(stderr,
                    "{:g} m/s straight ahead lies outside the clips of {}: it walks as near to that as they go\n",
                    options.speed, walking.name);
+}
+
+bool is_graph(const std::string& file) {
+    const std::filesystem::path path = file;
+    return path.extension() == ".json" && std::filesystem::is_regular_file(path) && is_graph_text(read_file(path));
+}
+
+void load_graph_character(const Options& options, Walking& walking) {
+    needs_no_live_gait(options);
+    if (!options.style.empty())
+        throw Error("a graph has styles where its nodes say so", "--style", "set a parameter: --set NAME=VALUE");
+    std::vector<std::string> warnings;
+    walking.graph = load_graph(options.project, &warnings);
+    for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
+    const Program& program = walking.graph.program;
+    walking.name = program.name;
+    walking.roles = walking.graph.roles;
+    std::string names;
+    for (const Parameter& parameter : program.parameters) names += (names.empty() ? "" : ", ") + parameter.name;
+    std::vector<ParameterValue> values;
+    for (const std::string& text : options.set) {
+        const auto [name, value] = setting_of(text);
+        const int parameter = program.parameter(name);
+        if (parameter < 0) throw Error("the graph has no parameter '" + name + "'", "--set", "it has " + names);
+        values.push_back({parameter, value});
+    }
+    if (program.parameter("speed") < 0)
+        fmt::print(stderr, "{} has no parameter \"speed\": it goes as fast as its nodes say\n", walking.name);
+    walking.walker = make_graph_walker(walking.graph, std::move(values), walk_path(options.path, options.seconds));
 }
 
 void load_gait(Options& options, Walking& walking) {
@@ -214,6 +254,8 @@ int run(Options options) {
         load_gait(options, walking);
     else if (is_clip_file(options.project) || options.project.find('#') != std::string::npos)
         load_clip(options, walking);
+    else if (is_graph(options.project))
+        load_graph_character(options, walking);
     else
         load_project_character(options, walking);
     if (options.transitions) return judge_transitions(options, walking);
@@ -242,10 +284,10 @@ extern const Command k_walk;
 const Command k_walk{
     "walk", "Walk a character over a course and measure how its feet stand", [](CLI::App& app) {
         auto options = std::make_shared<Options>();
-        app.add_option(
-               "PROJECT", options->project,
-               "A project made by 'surefoot author' (its folder or file), a clip, or a fitted gait to be played live: "
-               "its file, or the name of a bundled one (human)")
+        app.add_option("PROJECT", options->project,
+                       "A project made by 'surefoot author' (its folder or file), a graph (docs/graphs.md), a clip, or "
+                       "a fitted gait to be played live: "
+                       "its file, or the name of a bundled one (human)")
             ->required();
         app.add_option("--course", options->course, "What to walk over")
             ->check(CLI::IsMember(course_names()))
@@ -263,7 +305,8 @@ const Command k_walk{
                 ->check(CLI::Range(-10.0, 10.0))
                 ->check(is_number)
                 ->capture_default_str();
-        app.add_option("--set", options->set, "NAME=VALUE of the slope or of an axis of your own (repeatable)")
+        app.add_option("--set", options->set,
+                       "NAME=VALUE of the slope, of an axis of your own, or of a graph's parameter (repeatable)")
             ->allow_extra_args(false);
         app.add_option("--seconds", options->seconds, "How long")
             ->check(CLI::Range(0.5, 3600.0))

@@ -1,6 +1,7 @@
 #pragma once
 // Reading JSON with the path of every node at hand, so that a message can say where in the file it was unhappy.
-// Private to the room: include it in .cpp files only (it brings in all of nlohmann/json).
+// Private to this room and graph_text/: include it in .cpp files and private headers only (it brings in all of
+// nlohmann/json).
 
 #include <surefoot/base/error.h>
 
@@ -33,6 +34,7 @@ class JsonNode {
         : json_(&json), file_(std::move(file)), path_(std::move(path)), warnings_(warnings) {}
 
     const Json& json() const { return *json_; }
+    const std::string& path() const { return path_; }
     std::string where() const { return file_ + ": " + (path_.empty() ? "/" : path_); }
     [[noreturn]] void fail(const std::string& problem, const std::string& remedy = {}) const {
         throw Error(problem, where(), remedy);

@@ -106,6 +106,19 @@ Character bake(const std::string& name, std::span<const Source> sources, std::sp
     return character;
 }
 
+std::int32_t add_clip(Character& character, const Motion& motion, const ClipFacts& facts) {
+    PackOptions options;
+    options.steady_root = facts.cyclic;
+    options.legs = facts.cyclic ? &character.legs : nullptr;
+    PackReport report;
+    PackedClip packed = pack_clip(on_skeleton(motion, character.skeleton), facts, options, &report);
+    packed.name = facts.name.empty() ? motion.name : facts.name;
+    character.graph.clips.push_back(std::move(packed));
+    character.facts.push_back(facts);
+    character.packing.push_back(report);
+    return static_cast<std::int32_t>(character.graph.clips.size()) - 1;
+}
+
 std::size_t calmest(std::span<const Source> sources) {
     std::size_t best = 0;
     for (std::size_t i = 1; i < sources.size(); ++i)

@@ -36,4 +36,8 @@ Character bake_character(const Project& project, const std::filesystem::path& fo
 Character bake_character(std::span<const AnalyzedClip> clips, std::span<const ProjectSpace> spaces,
                          const std::string& name = {});
 
+/// Packs one more clip for the character and returns its index in `graph.clips`: one that plays by itself, in no space.
+/// What does not go round keeps its root as it is. Throws Error where it does not fit the skeleton.
+std::int32_t add_clip(Character& character, const Motion& motion, const ClipFacts& facts);
+
 }  // namespace surefoot

@@ -15,6 +15,7 @@
 namespace surefoot {
 
 struct Character;
+struct GraphCharacter;
 struct LocomotionRequest;
 
 inline constexpr float k_walk_fps = 60;
@@ -45,6 +46,17 @@ std::unique_ptr<Walker> make_clip_walker(const Motion& clip, const Legs& legs);
 /// user's own axes holds all the way; its speed is that of `start`.
 std::unique_ptr<Walker> make_character_walker(const Character& character, const LocomotionRequest& asked = {},
                                               std::vector<PathLeg> path = {});
+
+/// What a parameter of a graph is set to.
+struct ParameterValue {
+    int parameter = 0;
+    float value = 0;
+};
+
+/// Steers a graph's character along `path` (none: straight ahead) by its parameters "speed" [m/s] and "turn" [deg/s],
+/// as far as it has them; `values` hold all the way. `character` must outlive the walker.
+std::unique_ptr<Walker> make_graph_walker(const GraphCharacter& character, std::vector<ParameterValue> values = {},
+                                          std::vector<PathLeg> path = {});
 
 struct WalkRequest {
     float speed_mps = 1.4f;

@@ -220,7 +220,9 @@ float remaining_seconds(const Program& program, std::span<const std::byte> state
     }
     if (std::holds_alternative<MachineNode>(node.data))
         return below(static_cast<std::size_t>(memory_at<MachineMemory>(state, node.memory).current));
-    return node.children.empty() ? k_far : below(0);
+    float least = k_far;  // of a layer or an addition, too: a gesture ends though the walk under it does not
+    for (std::size_t i = 0; i < node.children.size(); ++i) least = std::min(least, below(i));
+    return least;
 }
 
 }  // namespace surefoot

@@ -1,0 +1,116 @@
+#include <surefoot/course/walk.h>
+#include <surefoot/graph_text/graph_file.h>
+#include <surefoot/program/evaluate.h>
+
+#include <algorithm>
+
+namespace surefoot {
+namespace {
+
+constexpr float k_step = 1 / k_walk_fps;  // [s] in which what comes is foreseen
+
+/// A character on its way.
+struct Going {
+    std::vector<std::byte> state;
+    RootFrame root;
+    RootFrame requested;
+};
+
+class GraphWalker final : public Walker {
+  public:
+    GraphWalker(const GraphCharacter& character, std::vector<ParameterValue> values, std::vector<PathLeg> path)
+        : character_(character),
+          program_(character.program),
+          values_(std::move(values)),
+          path_(std::move(path)),
+          scratch_(program_),
+          frame_(program_),
+          speed_(program_.parameter("speed")),
+          turn_(program_.parameter("turn")) {
+        now_.state.resize(program_.state_size);
+        foreseen_ = going_ = now_;
+    }
+    const std::shared_ptr<const Skeleton>& skeleton() const override { return program_.body.skeleton; }
+    const Legs& legs() const override { return character_.legs; }
+    std::span<const Transform> standing() const override { return character_.standing; }
+    void start(float speed_mps) override {
+        asked_speed_ = speed_mps;
+        clock_ = {};
+        surefoot::start(program_, now_.state);
+        for (const ParameterValue& value : values_) set(program_, now_.state, value.parameter, value.value);
+        constexpr float k_run_up = 3;  // [s] for parameters and states to get there: it walks already when it starts
+        steer();
+        for (float time = 0; time < k_run_up; time += k_step) go(now_, k_step, true);
+        now_.root = now_.requested = {};
+        look_anew();
+    }
+    void advance(float dt) noexcept override {
+        clock_.advance(path_, dt);
+        steer();
+        go(now_, dt, true);
+        look_anew();
+    }
+    RootFrame requested() const noexcept override { return now_.requested; }
+    /// States stay as they are and parameters go where they are going: no later leg of the path is known.
+    void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
+        if (ahead < ahead_) copy(now_, foreseen_), ahead_ = 0;
+        for (; ahead_ + k_step <= ahead + k_rounding; ahead_ += k_step) go(foreseen_, k_step, false);
+        copy(foreseen_, going_);
+        go(going_, std::max(ahead - ahead_, 0.0f), false);
+        root = going_.root;
+        pose(program_, going_.state, frame_, scratch_, locals);
+    }
+
+  private:
+    static constexpr float k_rounding = 1e-5f;  // [s]
+
+    static void copy(const Going& from, Going& to) noexcept {
+        std::copy(from.state.begin(), from.state.end(), to.state.begin());
+        to.root = from.root;
+        to.requested = from.requested;
+    }
+    void steer() noexcept {
+        const PathLeg& leg = clock_.leg(path_);
+        set(program_, now_.state, speed_, leg.goes ? asked_speed_ : 0.0f);
+        set(program_, now_.state, turn_, leg.turn);
+    }
+    void look_anew() noexcept {
+        copy(now_, foreseen_);
+        ahead_ = 0;
+    }
+    void go(Going& going, float dt, bool decide) const noexcept {
+        GraphInput input;
+        input.dt = dt;
+        input.root = going.root;
+        input.decide = decide;
+        update(program_, going.state, input, scratch_, frame_);
+        going.root = going.root * frame_.root_delta;
+        going.root.position.y = 0;
+        const Vec3 velocity{0, 0, get(program_, going.state, speed_)};
+        const float turn = get(program_, going.state, turn_) * k_radians_per_degree;
+        going.requested = going.requested * integrate(velocity, turn, dt);
+    }
+
+    const GraphCharacter& character_;
+    const Program& program_;
+    std::vector<ParameterValue> values_;
+    std::vector<PathLeg> path_;
+    mutable GraphScratch scratch_;
+    mutable GraphFrame frame_;
+    int speed_, turn_;
+    float asked_speed_ = 0;
+    PathClock clock_;
+    Going now_;
+    mutable Going foreseen_, going_;
+    mutable float ahead_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Walker> make_graph_walker(const GraphCharacter& character, std::vector<ParameterValue> values,
+                                          std::vector<PathLeg> path) {
+    if (path.empty()) path.push_back({});
+    return std::make_unique<GraphWalker>(character, std::move(values), std::move(path));
+}
+
+}  // namespace surefoot

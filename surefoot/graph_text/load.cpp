@@ -1,0 +1,205 @@
+#include <surefoot/analysis/analyze.h>
+#include <surefoot/author/place.h>
+#include <surefoot/graph_text/graph_file.h>
+#include <surefoot/graph_text/names.h>
+#include <surefoot/graph_text/node_reader.h>
+#include <surefoot/host/files.h>
+#include <surefoot/io/load.h>
+#include <surefoot/motion/edit.h>
+
+#include <algorithm>
+
+namespace surefoot {
+
+namespace {
+
+/// A graph with all that it extends, and the folder that each of its files is relative to.
+struct Merged {
+    Json json;
+    std::string file;
+};
+
+constexpr const char* k_version_key = "surefoot_graph";
+
+/// Files named in a graph are relative to it; once merged, to nothing.
+void make_paths_whole(Json& json, const std::filesystem::path& folder) {
+    const auto whole = [&](Json& path) {
+        if (path.is_string()) path = (folder / path.get<std::string>()).lexically_normal().string();
+    };
+    if (json.contains("project")) whole(json["project"]);
+    if (!json.contains("clips") || !json["clips"].is_object()) return;
+    for (auto& [slot, clip] : json["clips"].items())
+        if (clip.is_object() && clip.contains("file")) whole(clip["file"]);
+}
+
+Json read_merged(const std::filesystem::path& file, int depth) {
+    constexpr int k_most_tiers = 8;
+    if (depth > k_most_tiers)
+        throw Error("graphs extend one another more than 8 deep", file.string(), "does one extend itself?");
+    Json json;
+    try {
+        json = Json::parse(read_file(file));
+    } catch (const Json::parse_error& error) {
+        throw Error("it is no JSON: " + std::string(error.what()), file.string(), "mend the place that is named");
+    }
+    JsonNode root(json, file.string(), "", nullptr);
+    root.at(k_version_key).integer(k_graph_version, k_graph_version);
+    const bool extends = root.has("extends");
+    const std::string base_file = extends ? root.at("extends").text() : std::string();
+    make_paths_whole(json, file.parent_path());
+    if (!extends) return json;
+    json.erase("extends");
+    Json base = read_merged(file.parent_path() / base_file, depth + 1);
+    base.merge_patch(json);
+    return base;
+}
+
+Parameter parameter_of(const std::string& name, JsonNode node) {
+    Parameter parameter;
+    parameter.name = name;
+    if (node.has("type")) parameter.kind = value_of_word(node.at("type"), k_parameter_kinds);
+    if (node.has("unit")) parameter.unit = node.at("unit").text();
+    if (parameter.kind == ParameterKind::number) {
+        parameter.low = node.at("low").real();
+        parameter.high = node.at("high").real();
+    }
+    if (node.has("initial")) parameter.initial = node.at("initial").real();
+    if (node.has("rate_per_s")) parameter.rate = node.at("rate_per_s").real();
+    if (node.has("lasts_s")) parameter.lasts = node.at("lasts_s").real();
+    if (!(parameter.low <= parameter.initial && parameter.initial <= parameter.high))
+        node.fail("its initial value is not between low and high", "0 is meant where none is given");
+    node.finish();
+    return parameter;
+}
+
+/// Joints by role or name, each with all below it.
+std::vector<float> mask_of(JsonNode node, const Skeleton& skeleton, const RoleMap& roles) {
+    std::vector<float> mask(skeleton.rest.size(), 0.0f);
+    for (const auto& [name, share] : node.entries()) {
+        int joint = skeleton.find(name);
+        for (int r = 0; joint == k_no_joint && r < k_role_count; ++r)
+            if (name == role_name(static_cast<Role>(r))) joint = roles[static_cast<Role>(r)];
+        if (joint == k_no_joint) share.fail("there is no joint or role '" + name + "'", "run `surefoot analyze`");
+        const float value = share.real();
+        if (!(value >= 0 && value <= 1)) share.fail("a mask's shares are between 0 and 1");
+        for (int j = 0; j < skeleton.joint_count(); ++j)
+            if (is_within(skeleton, j, joint)) mask[static_cast<std::size_t>(j)] = value;
+    }
+    return mask;
+}
+
+/// The clips that a graph's slots name: those of the project's spaces are there already, others are loaded.
+class Slots {
+  public:
+    Slots(Character& character, const Project& project, std::filesystem::path folder)
+        : character_(character), project_(project), folder_(std::move(folder)) {}
+
+    void fill(const std::string& slot, JsonNode node) {
+        if (node.json().is_string()) {
+            const int clip = project_clip(node.text());
+            if (clip < 0)
+                node.fail("the project has no clip '" + node.text() + "'",
+                          R"(name one of its clips, or a file: {"file": "jump.glb"})");
+            clips_[slot] = clip;
+            return;
+        }
+        const JsonNode file = node.at("file");
+        const std::string path = file.text();
+        LoadResult loaded = load_clips(std::vector<std::string>{path});
+        if (!loaded.failed.empty()) file.fail(loaded.failed.front().error);
+        if (loaded.clips.size() != 1)
+            file.fail("it holds " + std::to_string(loaded.clips.size()) + " clips", "name one as FILE#NAME");
+        const AnalyzedClip clip = analyze_clip(std::move(loaded.clips.front().motion), path, 1, project_.roles);
+        clips_[slot] = add_clip(character_, clip.motion, clip.facts);
+        node.finish();
+    }
+
+    int find(const std::string& name) {
+        const auto found = clips_.find(name);
+        return found != clips_.end() ? found->second : project_clip(name);
+    }
+
+  private:
+    int project_clip(const std::string& name) {
+        const auto& packed = character_.graph.clips;
+        for (std::size_t i = 0; i < packed.size(); ++i)
+            if (packed[i].name == name) return static_cast<int>(i);
+        for (const ProjectClip& clip : project_.clips) {
+            if (clip.name != name || clip.file.empty()) continue;
+            const std::filesystem::path path = folder_ / clip.file;
+            const std::vector<LoadedClip> loaded = read_clips(read_file(path), path.string());
+            if (loaded.empty()) throw Error("the file holds no clip", path.string(), "run 'surefoot author' again");
+            return add_clip(character_, loaded.front().motion, clip.facts);
+        }
+        return -1;
+    }
+
+    Character& character_;
+    const Project& project_;
+    std::filesystem::path folder_;
+    std::map<std::string, int> clips_;
+};
+
+}  // namespace
+
+bool is_graph_text(std::string_view text) {
+    const auto json = Json::parse(text.begin(), text.end(), nullptr, false);
+    return json.is_object() && json.contains(k_version_key);
+}
+
+GraphCharacter load_graph(const std::filesystem::path& file, std::vector<std::string>* warnings) {
+    const Json json = read_merged(file, 0);
+    JsonNode root(json, file.string(), "", warnings);
+    root.at(k_version_key);
+    std::filesystem::path project_file = root.at("project").text();
+    if (std::filesystem::is_directory(project_file)) project_file /= "project.json";
+    const Project project = load_project(project_file, warnings);
+    Character character = bake_character(project, project_file.parent_path());
+    if (warnings) warnings->insert(warnings->end(), character.warnings.begin(), character.warnings.end());
+
+    Slots slots(character, project, project_file.parent_path());
+    if (root.has("clips"))
+        for (const auto& [slot, clip] : root.at("clips").entries()) slots.fill(slot, clip);
+
+    GraphCharacter result;
+    Program& program = result.program;
+    program.name = root.has("name") ? root.at("name").text() : file.stem().string();
+    program.body = std::move(character.graph);
+    character.graph = {};
+    character.graph.clips = program.body.clips;  // those that nodes name directly still join
+    if (root.has("parameters"))
+        for (const auto& [name, node] : root.at("parameters").entries())
+            program.parameters.push_back(parameter_of(name, node));
+    if (root.has("targets")) program.targets = root.at("targets").texts();
+    if (root.has("groups"))
+        for (auto& [name, node] : root.at("groups").entries()) {
+            SyncGroup group{name, {}};
+            if (node.has("events")) group.events = NodeReader::marks(program, node.at("events"));
+            node.finish();
+            program.groups.push_back(std::move(group));
+        }
+    std::map<std::string, int> masks;
+    if (root.has("masks"))
+        for (const auto& [name, node] : root.at("masks").entries()) {
+            masks[name] = static_cast<int>(program.masks.size());
+            program.masks.push_back(mask_of(node, *character.skeleton, character.roles));
+        }
+    program.mirror = mirror_map(*character.skeleton, character.roles);
+    NodeReader reader(program, root.at("nodes"), std::move(masks), [&](const std::string& name) {
+        const int clip = slots.find(name);
+        if (character.graph.clips.size() > program.body.clips.size()) program.body.clips = character.graph.clips;
+        return clip;
+    });
+    reader.add(root.at("root"));
+    root.finish();
+    lay_out(program);
+    if (const std::string text = problem(program); !text.empty())
+        throw Error(text, file.string(), "mend the node that is named");
+    result.roles = character.roles;
+    result.legs = character.legs;
+    result.standing = character.standing;
+    result.hip_height = character.hip_height;
+    return result;
+}
+
+}  // namespace surefoot

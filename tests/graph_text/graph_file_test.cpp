@@ -1,0 +1,180 @@
+#include <surefoot/author/author.h>
+#include <surefoot/base/error.h>
+#include <surefoot/graph_text/graph_file.h>
+#include <surefoot/host/files.h>
+#include <surefoot/preset/default_set.h>
+#include <surefoot/program/evaluate.h>
+
+#include "tests/support/allocations.h"
+#include "tests/support/damage.h"
+#include "tests/support/folder.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace surefoot {
+namespace {
+
+const char* const k_graph = R"({
+  "surefoot_graph": 1,
+  "name": "hero",
+  "project": ".",
+  "parameters": {
+    "speed": {"unit": "m/s", "low": -1, "high": 5, "rate_per_s": 2.5},
+    "turn": {"unit": "deg/s", "low": -90, "high": 90, "rate_per_s": 240},
+    "look": {"low": 0, "high": 1},
+    "wave": {"type": "trigger", "lasts_s": 0.5}
+  },
+  "clips": {"greeting": "run", "stand": "idle"},
+  "groups": {"legs": {"events": {"left_strike": 0, "right_strike": 0.5}}},
+  "masks": {"arms": {"left_shoulder": 1, "right_shoulder": 1}},
+  "nodes": {
+    "move": {"type": "locomotion", "speed": "speed", "turn": "turn"},
+    "greet": {"type": "clip", "clip": "greeting", "loop": false, "events": {"hello": 0.2}},
+    "arms": {"type": "machine", "initial": "free",
+      "states": {"free": "move", "greeting": {"type": "layer", "base": "move", "over": "greet", "mask": "arms"}},
+      "transitions": {
+        "begin": {"from": "free", "to": "greeting", "kind": "inertialize", "seconds": 0.3, "when": [{"trigger": "wave"}]},
+        "end": {"from": "greeting", "to": "free", "curve": "cubic_out", "when": [{"remaining_s": 0.2}]}
+      }}
+  },
+  "root": "arms"
+})";
+
+class GraphFile : public testing::Test {
+  protected:
+    GraphFile() { author_motions(make_default_set().clips, folder_.path); }
+    std::filesystem::path write(const std::string& text, const std::string& name = "hero.json") {
+        write_file(folder_.path / name, text);
+        return folder_.path / name;
+    }
+    std::string error_of(const std::string& text) {
+        try {
+            load_graph(write(text));
+        } catch (const Error& error) {
+            std::string what = error.what();
+            const std::string path = folder_.path.string() + "/";
+            for (std::size_t at; (at = what.find(path)) != std::string::npos;) what.erase(at, path.size());
+            return what;
+        }
+        return {};
+    }
+    static std::string with(const std::string& from, const std::string& to) {
+        std::string text = k_graph;
+        const std::size_t at = text.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        return text.replace(at, from.size(), to);
+    }
+    test::Folder folder_;
+};
+
+TEST_F(GraphFile, walks_as_asked_and_takes_its_transitions) {
+    std::vector<std::string> warnings;
+    const GraphCharacter hero = load_graph(write(k_graph), &warnings);
+    EXPECT_TRUE(warnings.empty()) << warnings.front();
+    const Program& program = hero.program;
+    EXPECT_EQ(program.name, "hero");
+    EXPECT_EQ(problem(program), "");
+    GraphScratch scratch(program);
+    GraphFrame frame(program);
+    std::vector<std::byte> state(program.state_size);
+    std::vector<Transform> locals(program.body.skeleton->rest.size());
+    start(program, state);
+    set(program, state, program.parameter("speed"), 1.4f);
+    RootFrame root;
+    int strikes = 0, hellos = 0;
+    std::string seen;
+    const long allocations = test::allocation_count();
+    for (int i = 0; i < 600; ++i) {
+        if (i == 200) set(program, state, program.parameter("wave"), 1);
+        GraphInput input;
+        input.dt = 1.0f / 60;
+        update(program, state, input, scratch, frame);
+        pose(program, state, frame, scratch, locals);
+        root = root * frame.root_delta;
+        for (const GraphEvent& event : frame.events()) {
+            strikes += event.event == program.event("left_strike") || event.event == program.event("right_strike");
+            hellos += event.event == program.event("hello");
+        }
+        if (i == 210) {
+            EXPECT_EQ(machine_state(program, state, find_node(program, "/nodes/arms")), "greeting");
+        }
+    }
+    EXPECT_EQ(test::allocation_count(), allocations);
+    EXPECT_EQ(machine_state(program, state, find_node(program, "/nodes/arms")), "free");
+    EXPECT_EQ(hellos, 1);
+    EXPECT_GT(strikes, 15);
+    EXPECT_LT(strikes, 25);
+    // Ten seconds at 1.4 m/s, but for the time of getting there.
+    EXPECT_NEAR(root.position.z, 14 - 0.5f * 1.4f * 1.4f / 2.5f, 0.1f);
+    EXPECT_NEAR(root.position.x, 0, 0.1f);
+}
+
+TEST_F(GraphFile, extends_another_and_exchanges_what_it_names) {
+    write(k_graph, "base.json");
+    const GraphCharacter heavy = load_graph(write(R"({"surefoot_graph": 1, "extends": "base.json", "name": "heavy",
+        "clips": {"greeting": "walk"}, "parameters": {"speed": {"high": 2}, "look": null}})"));
+    EXPECT_EQ(heavy.program.name, "heavy");
+    EXPECT_EQ(heavy.program.parameter("look"), -1);
+    EXPECT_EQ(heavy.program.parameters[0].high, 2);
+    EXPECT_EQ(heavy.program.parameters[0].low, -1);
+    const Node& greet = heavy.program.nodes[static_cast<std::size_t>(find_node(heavy.program, "/nodes/greet"))];
+    const int clip = std::get<ClipNode>(greet.data).clip;
+    EXPECT_EQ(heavy.program.body.clips[static_cast<std::size_t>(clip)].name, "walk");
+    EXPECT_EQ(error_of(R"({"surefoot_graph": 1, "extends": "hero.json", "project": "."})").substr(0, 46),
+              "hero.json: graphs extend one another more than");
+}
+
+TEST_F(GraphFile, says_what_is_wrong_and_where) {
+    const auto starts = [](const std::string& text, const std::string& with) {
+        EXPECT_EQ(text.substr(0, with.size()), with);
+    };
+    starts(error_of("{"), "hero.json: it is no JSON");
+    starts(error_of("{}"), "hero.json: /: the key \"surefoot_graph\" is missing");
+    starts(error_of(with("\"type\": \"locomotion\"", "\"type\": \"loco\"")),
+           "hero.json: /nodes/move/type: there are no nodes of type 'loco'");
+    starts(error_of(with("\"speed\": \"speed\"", "\"speed\": \"sped\"")),
+           "hero.json: /nodes/move/speed: there is no parameter 'sped'");
+    starts(error_of(with("\"run\", \"stand\"", "\"rum\", \"stand\"")),
+           "hero.json: /clips/greeting: the project has no clip 'rum'");
+    starts(error_of(with("\"mask\": \"arms\"", "\"mask\": \"legs\"")),
+           "hero.json: /nodes/arms/states/greeting/mask: there is no mask 'legs'");
+    starts(error_of(with("\"trigger\": \"wave\"", "\"trigger\": \"look\"")),
+           "hero.json: /nodes/arms/transitions/begin/when/0/trigger: the parameter 'look' is no trigger");
+    starts(error_of(with("\"to\": \"free\"", "\"to\": \"nowhere\"")),
+           "hero.json: /nodes/arms/transitions/end/to: there is no state 'nowhere'");
+    starts(error_of(with("\"cubic_out\"", "\"bouncy\"")),
+           "hero.json: /nodes/arms/transitions/end/curve: 'bouncy' is not known here");
+    starts(error_of(with("\"root\": \"arms\"", "\"root\": \"arm\"")), "hero.json: /root: there is no node 'arm'");
+    starts(error_of(with("\"base\": \"move\"", "\"base\": \"arms\"")),
+           "hero.json: /nodes/arms/states/free: nodes lie more than 32 deep");
+    starts(error_of(with("\"hello\": 0.2", "\"hello\": 20")),
+           "hero.json: /nodes/greet: its events are out of order, or beyond the clip's end");
+    starts(error_of(with("\"left_shoulder\"", "\"tail\"")), "hero.json: /masks/arms/tail: there is no joint or role");
+}
+
+TEST_F(GraphFile, unknown_keys_are_reported) {
+    std::vector<std::string> warnings;
+    load_graph(write(with("\"loop\": false", "\"lop\": false")), &warnings);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("/nodes/greet: the key \"lop\" is not known"), std::string::npos) << warnings[0];
+}
+
+TEST_F(GraphFile, damaged_files_are_refused_or_sound) {
+    Random random(7);
+    int refused = 0;
+    for (int i = 0; i < 150; ++i) {
+        try {
+            const GraphCharacter hero = load_graph(write(test::damaged(k_graph, random)));
+            EXPECT_EQ(problem(hero.program), "");
+        } catch (const Error&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 50);
+    EXPECT_LT(refused, 150);
+}
+
+}  // namespace
+}  // namespace surefoot
