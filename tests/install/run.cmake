@@ -21,4 +21,16 @@ step(${CMAKE_COMMAND} --build "${SCRATCH}/build")
 step("${SCRATCH}/build/runtime_user")
 if(COMPONENT STREQUAL "author")
   step("${SCRATCH}/build/author_user")
+  # The examples are what a newcomer copies from: they must build from what is installed, and run.
+  step(${CMAKE_COMMAND} -S "${EXAMPLES}" -B "${SCRATCH}/examples" -G Ninja -DCMAKE_PREFIX_PATH=${prefix}
+       -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS})
+  step(${CMAKE_COMMAND} --build "${SCRATCH}/examples")
+  set(project "${SCRATCH}/hero")
+  step("${prefix}/bin/surefoot" author --default -o "${project}")
+  step("${SCRATCH}/examples/play_a_clip" "${project}/clips/walk.glb")
+  foreach(example steer own_ground crowd rollback)
+    step("${SCRATCH}/examples/${example}" "${project}")
+  endforeach()
+  file(COPY "${EXAMPLES}/hero.json" DESTINATION "${SCRATCH}/graphs")  # its project is ../hero
+  step("${SCRATCH}/examples/state_machine" "${SCRATCH}/graphs/hero.json")
 endif()
