@@ -104,6 +104,21 @@ TEST(Machine, an_interruption_at_any_moment_moves_no_weight_at_once) {
     }
 }
 
+TEST(Machine, going_back_to_a_state_that_still_fades_moves_no_weight_at_once_either) {
+    Program program = walking_machine();
+    for (Transition& t : std::get<MachineNode>(program.nodes.back().data).transitions)
+        t.interrupted_by = Interruption::anyone;
+    Player player(program);
+    float before = 0;
+    for (int i = 0; i < 120; ++i) {
+        player.ask(k_speed, i % 20 < 10 ? 1.0f : 0.0f);
+        player.go();
+        // Smoothstep is at most 1.5 times as steep as a line: 1.4 m/s in 18 frames.
+        EXPECT_LE(std::fabs(player.frame.velocity.z - before), 1.5f * 1.4f / 18 + 1e-4f) << i;
+        before = player.frame.velocity.z;
+    }
+}
+
 TEST(Machine, a_trigger_is_spent_by_the_transition_that_takes_it_and_else_forgotten_in_time) {
     Program program = walking_machine();
     program.parameters[k_jump].lasts = 0.25f;
@@ -357,6 +372,27 @@ TEST(Machine, an_inertialized_transition_jumps_in_neither_place_nor_speed_and_en
     for (int i = 0; i < 60; ++i) player.go();
     EXPECT_EQ(player.frame.leaves().size(), 1u);
     EXPECT_NEAR(player.frame.velocity.z, 1.4f, 1e-5);
+}
+
+TEST(Machine, inertialization_hands_over_speed_and_not_only_place) {
+    const Program program = walking_machine(TransitionKind::inertialize);
+    constexpr float k_fine = 1.0f / 480;
+    float worst = 0, fastest = 0;
+    for (int moment = 160; moment < 690; moment += 20) {
+        Player player(program);
+        player.ask(k_speed, 1);
+        for (int i = 0; i < moment; ++i) player.go(k_fine);
+        const Vec3 a = player.locals[1].translation;
+        player.go(k_fine);
+        const Vec3 b = player.locals[1].translation;
+        player.ask(k_jump, 1);
+        player.go(k_fine);
+        const Vec3 c = player.locals[1].translation;
+        worst = std::max(worst, length(c - 2 * b + a) / k_fine);
+        fastest = std::max(fastest, length(b - a) / k_fine);
+    }
+    EXPECT_GT(fastest, 2) << "of a swinging foot [m/s]";
+    EXPECT_LT(worst, 0.1f * fastest) << "the frame of the change is as smooth as any";
 }
 
 TEST(Machine, an_interrupted_inertialization_folds_into_the_next) {
