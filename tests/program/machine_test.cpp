@@ -299,6 +299,22 @@ TEST(Machine, events_happen_once_in_order_at_any_frame_rate_and_through_transiti
     EXPECT_EQ(lands, 1);
 }
 
+TEST(Machine, what_happens_at_the_beginning_of_a_loop_happens_in_each_round) {
+    Program program = small_program();
+    program.events = {"begin", "end"};
+    ClipNode loop = clip_alone(0);  // two seconds
+    loop.events = {{0, 0.0f}, {1, 2.0f}};
+    add_node(program, "/loop", loop, {});
+    program = finished(std::move(program));
+    for (const float dt : {1.0f / 60, 0.3f, 1.5f}) {
+        Player player(program);
+        int begins = 0, ends = 0;
+        for (const auto& [event, time] : events_of(player, dt, 9)) ++(event == 0 ? begins : ends);
+        EXPECT_EQ(begins, 5) << dt;
+        EXPECT_EQ(ends, 4) << dt;
+    }
+}
+
 // --- rolling back
 
 TEST(Machine, rolled_back_and_replayed_it_is_the_same_to_the_bit) {
@@ -382,10 +398,10 @@ TEST(Machine, inertialization_hands_over_speed_and_not_only_place) {
         Player player(program);
         player.ask(k_speed, 1);
         for (int i = 0; i < moment; ++i) player.go(k_fine);
-        const Vec3 a = player.locals[1].translation;
-        player.go(k_fine);
-        const Vec3 b = player.locals[1].translation;
         player.ask(k_jump, 1);
+        const Vec3 a = player.locals[1].translation;
+        player.go(k_fine);  // the change begins: still where the old state is
+        const Vec3 b = player.locals[1].translation;
         player.go(k_fine);
         const Vec3 c = player.locals[1].translation;
         worst = std::max(worst, length(c - 2 * b + a) / k_fine);
