@@ -1,4 +1,5 @@
 #include <surefoot/bake/character.h>
+#include <surefoot/course/foresight.h>
 #include <surefoot/course/walk.h>
 #include <surefoot/math/trig.h>
 
@@ -6,8 +7,6 @@
 
 namespace surefoot {
 namespace {
-
-constexpr float k_step = 1 / k_walk_fps;  // [s] in which what comes is foreseen
 
 /// A character on its way: what it is asked for is approached, and the rest follows.
 struct Going {
@@ -39,29 +38,24 @@ class CharacterWalker final : public Walker {
         clock_ = {};
         now_ = {};
         now_.request = wanted();
-        foreseen_ = now_;
-        ahead_ = 0;
+        foresight_.begin(now_);
     }
     void advance(float dt) noexcept override {
         clock_.advance(path_, dt);
         now_.go(character_.graph, wanted(), dt);
-        foreseen_ = now_;
-        ahead_ = 0;
+        foresight_.begin(now_);
     }
     RootFrame requested() const noexcept override { return now_.requested; }
     /// What comes is foreseen from what is asked for now: no later leg of the path is known.
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
-        if (ahead < ahead_) foreseen_ = now_, ahead_ = 0;
-        for (; ahead_ + k_step <= ahead + k_rounding; ahead_ += k_step)
-            foreseen_.go(character_.graph, wanted(), k_step);
-        Going going = foreseen_;
-        const LocomotionFrame frame = going.go(character_.graph, wanted(), std::max(ahead - ahead_, 0.0f));
-        root = going.root;
+        LocomotionFrame frame;
+        const Going& there = foresight_.at(
+            now_, ahead, [&](Going& going, float dt) noexcept { frame = going.go(character_.graph, wanted(), dt); });
+        root = there.root;
         pose(character_.graph, frame, locals);
     }
 
   private:
-    static constexpr float k_rounding = 1e-5f;  // [s]
     LocomotionRequest wanted() const noexcept {
         LocomotionRequest wanted = asked_;
         const PathLeg& leg = clock_.leg(path_);
@@ -75,8 +69,7 @@ class CharacterWalker final : public Walker {
     std::vector<PathLeg> path_;
     PathClock clock_;
     Going now_;
-    mutable Going foreseen_;  // `now_` and `ahead_` seconds more: what is asked next mostly lies a little farther
-    mutable float ahead_ = 0;
+    mutable Foresight<Going> foresight_;
 };
 
 }  // namespace

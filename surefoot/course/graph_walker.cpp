@@ -1,4 +1,4 @@
-#include <surefoot/course/walk.h>
+#include <surefoot/course/foresight.h>
 #include <surefoot/graph_text/graph_file.h>
 #include <surefoot/program/evaluate.h>
 
@@ -7,7 +7,7 @@
 namespace surefoot {
 namespace {
 
-constexpr float k_step = 1 / k_walk_fps;  // [s] in which what comes is foreseen
+constexpr float k_step = 1 / k_walk_fps;  // [s]
 
 /// A character on its way.
 struct Going {
@@ -28,7 +28,6 @@ class GraphWalker final : public Walker {
           speed_(program_.parameter("speed")),
           turn_(program_.parameter("turn")) {
         now_.state.resize(program_.state_size);
-        foreseen_ = going_ = now_;
     }
     const std::shared_ptr<const Skeleton>& skeleton() const override { return program_.body.skeleton; }
     const Legs& legs() const override { return character_.legs; }
@@ -42,41 +41,28 @@ class GraphWalker final : public Walker {
         steer();
         for (float time = 0; time < k_run_up; time += k_step) go(now_, k_step, true);
         now_.root = now_.requested = {};
-        look_anew();
+        foresight_.begin(now_);
     }
     void advance(float dt) noexcept override {
         clock_.advance(path_, dt);
         steer();
         go(now_, dt, true);
-        look_anew();
+        foresight_.begin(now_);
     }
     RootFrame requested() const noexcept override { return now_.requested; }
     /// States stay as they are and parameters go where they are going: no later leg of the path is known.
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
-        if (ahead < ahead_) copy(now_, foreseen_), ahead_ = 0;
-        for (; ahead_ + k_step <= ahead + k_rounding; ahead_ += k_step) go(foreseen_, k_step, false);
-        copy(foreseen_, going_);
-        go(going_, std::max(ahead - ahead_, 0.0f), false);
-        root = going_.root;
-        pose(program_, going_.state, frame_, scratch_, locals);
+        const Going& there =
+            foresight_.at(now_, ahead, [this](Going& going, float dt) noexcept { go(going, dt, false); });
+        root = there.root;
+        pose(program_, there.state, frame_, scratch_, locals);
     }
 
   private:
-    static constexpr float k_rounding = 1e-5f;  // [s]
-
-    static void copy(const Going& from, Going& to) noexcept {
-        std::copy(from.state.begin(), from.state.end(), to.state.begin());
-        to.root = from.root;
-        to.requested = from.requested;
-    }
     void steer() noexcept {
         const PathLeg& leg = clock_.leg(path_);
         set(program_, now_.state, speed_, leg.goes ? asked_speed_ : 0.0f);
         set(program_, now_.state, turn_, leg.turn);
-    }
-    void look_anew() noexcept {
-        copy(now_, foreseen_);
-        ahead_ = 0;
     }
     void go(Going& going, float dt, bool decide) const noexcept {
         GraphInput input;
@@ -101,8 +87,7 @@ class GraphWalker final : public Walker {
     float asked_speed_ = 0;
     PathClock clock_;
     Going now_;
-    mutable Going foreseen_, going_;
-    mutable float ahead_ = 0;
+    mutable Foresight<Going> foresight_;
 };
 
 }  // namespace
