@@ -1,6 +1,9 @@
 #include <surefoot/author/gait_file.h>
 #include <surefoot/author/json_node.h>
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <memory>

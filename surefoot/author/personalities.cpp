@@ -1,6 +1,9 @@
 #include <surefoot/author/json_node.h>
 #include <surefoot/author/personalities.h>
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include <array>
 
 namespace surefoot {

@@ -1,6 +1,8 @@
 #include <surefoot/author/json_node.h>
 #include <surefoot/author/probe_json.h>
 
+#include <nlohmann/json.hpp>
+
 namespace surefoot {
 namespace {
 

@@ -5,6 +5,8 @@
 #include <surefoot/host/files.h>
 #include <surefoot/space/triangulate.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace surefoot {

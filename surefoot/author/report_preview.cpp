@@ -7,6 +7,8 @@
 #include <surefoot/clip/sample.h>
 #include <surefoot/graph/locomotion.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,11 +1,13 @@
 #include <surefoot/analysis/analyze.h>
-#include <surefoot/author/place.h>
+#include <surefoot/author/json_node.h>
 #include <surefoot/graph_text/graph_file.h>
 #include <surefoot/graph_text/names.h>
 #include <surefoot/graph_text/node_reader.h>
 #include <surefoot/host/files.h>
 #include <surefoot/io/load.h>
 #include <surefoot/motion/edit.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -57,7 +59,7 @@ Json read_merged(const std::filesystem::path& file, int depth) {
 Parameter parameter_of(const std::string& name, JsonNode node) {
     Parameter parameter;
     parameter.name = name;
-    if (node.has("type")) parameter.kind = value_of_word(node.at("type"), k_parameter_kinds);
+    if (node.has("type")) parameter.kind = node.at("type").word(k_parameter_kinds);
     if (node.has("unit")) parameter.unit = node.at("unit").text();
     if (parameter.kind == ParameterKind::number) {
         parameter.low = node.at("low").real();
@@ -174,7 +176,7 @@ GraphCharacter load_graph(const std::filesystem::path& file, std::vector<std::st
     if (root.has("groups"))
         for (auto& [name, node] : root.at("groups").entries()) {
             SyncGroup group{name, {}};
-            if (node.has("events")) group.events = NodeReader::marks(program, node.at("events"));
+            if (node.has("events")) group.events = read_marks(program, node.at("events"));
             node.finish();
             program.groups.push_back(std::move(group));
         }
@@ -185,12 +187,11 @@ GraphCharacter load_graph(const std::filesystem::path& file, std::vector<std::st
             program.masks.push_back(mask_of(node, *character.skeleton, character.roles));
         }
     program.mirror = mirror_map(*character.skeleton, character.roles);
-    NodeReader reader(program, root.at("nodes"), std::move(masks), [&](const std::string& name) {
+    read_nodes(program, root.at("nodes"), root.at("root"), masks, [&](const std::string& name) {
         const int clip = slots.find(name);
         if (character.graph.clips.size() > program.body.clips.size()) program.body.clips = character.graph.clips;
         return clip;
     });
-    reader.add(root.at("root"));
     root.finish();
     lay_out(program);
     if (const std::string text = problem(program); !text.empty())

@@ -1,7 +1,6 @@
 #pragma once
 // The words that graph files have for enumerations. Private to graph_text/.
 
-#include <surefoot/author/json_node.h>
 #include <surefoot/program/program.h>
 
 #include <array>
@@ -31,17 +30,5 @@ inline constexpr Words<Comparison, 6> k_comparisons{{{"<", Comparison::less},
                                                      {">=", Comparison::greater_equal},
                                                      {"==", Comparison::equal},
                                                      {"!=", Comparison::not_equal}}};
-
-/// The value of a word, or an error that lists the words.
-template <class Value, std::size_t Count>
-Value value_of_word(const JsonNode& node, const Words<Value, Count>& words) {
-    const std::string text = node.text();
-    std::string all;
-    for (const auto& [word, value] : words) {
-        if (word == text) return value;
-        all += (all.empty() ? "" : ", ") + std::string(word);
-    }
-    node.fail("'" + text + "' is not known here", "one of: " + all);
-}
 
 }  // namespace surefoot

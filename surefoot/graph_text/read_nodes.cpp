@@ -1,6 +1,9 @@
+#include <surefoot/author/json_node.h>
 #include <surefoot/graph_text/names.h>
 #include <surefoot/graph_text/node_reader.h>
 #include <surefoot/space/triangulate.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -21,24 +24,47 @@ std::vector<std::string> names_in(const std::vector<Named>& list) {
     return names;
 }
 
-}  // namespace
-
-NodeReader::NodeReader(Program& program, JsonNode nodes, std::map<std::string, int> masks,
-                       std::function<int(const std::string&)> clip_of)
-    : program_(program), masks_(std::move(masks)), clip_of_(std::move(clip_of)) {
-    for (auto& [name, node] : nodes.entries()) named_.emplace(name, node);
-}
-
-std::int16_t NodeReader::event_index(Program& program, const std::string& name) {
+std::int16_t event_index(Program& program, const std::string& name) {
     if (program.event(name) < 0) program.events.push_back(name);
     return static_cast<std::int16_t>(program.event(name));
 }
 
-std::vector<EventMark> NodeReader::marks(Program& program, const JsonNode& events) {
-    std::vector<EventMark> marks;
-    for (const auto& [name, time] : events.entries()) marks.push_back({event_index(program, name), time.real()});
-    std::stable_sort(marks.begin(), marks.end(), [](const EventMark& a, const EventMark& b) { return a.at < b.at; });
-    return marks;
+class NodeReader {
+  public:
+    NodeReader(Program& program, const JsonNode& named, const std::map<std::string, int>& masks,
+               const std::function<int(const std::string&)>& clip_of);
+
+    /// Returns the node's index.
+    int add(JsonNode reference, int depth = 0);
+
+  private:
+    int add_data(JsonNode& node, const std::string& path, int depth);
+    NodeData clip(JsonNode& node);
+    NodeData space(JsonNode& node);
+    NodeData locomotion(JsonNode& node);
+    NodeData additive(JsonNode& node);
+    MachineNode machine(JsonNode& node, std::vector<int>& children, int depth);
+    Transition transition(const std::string& name, JsonNode node, const MachineNode& machine);
+    Condition condition(JsonNode node);
+
+    Operand operand(const JsonNode& node);
+    Operand operand_or(JsonNode& node, const char* key, float otherwise);
+    int parameter(const JsonNode& name);
+    std::int16_t group(const JsonNode& name);
+    std::int16_t group_or_legs(JsonNode& node);
+    std::int16_t mask(const JsonNode& name);
+    int slot(const JsonNode& name);
+
+    Program& program_;
+    std::map<std::string, JsonNode> named_;
+    const std::map<std::string, int>& masks_;
+    const std::function<int(const std::string&)>& clip_of_;
+};
+
+NodeReader::NodeReader(Program& program, const JsonNode& named, const std::map<std::string, int>& masks,
+                       const std::function<int(const std::string&)>& clip_of)
+    : program_(program), masks_(masks), clip_of_(clip_of) {
+    for (const auto& [name, node] : named.entries()) named_.emplace(name, node);
 }
 
 int NodeReader::parameter(const JsonNode& name) {
@@ -98,7 +124,7 @@ NodeData NodeReader::clip(JsonNode& node) {
     if (node.has("loop")) clip.loop = node.at("loop").flag();
     clip.rate = operand_or(node, "rate", 1);
     if (node.has("group")) clip.group = group(node.at("group"));
-    if (node.has("events")) clip.events = marks(program_, node.at("events"));
+    if (node.has("events")) clip.events = read_marks(program_, node.at("events"));
     if (node.has("align")) {
         JsonNode align = node.at("align");
         const JsonNode target = align.at("target");
@@ -231,9 +257,9 @@ Transition NodeReader::transition(const std::string& name, JsonNode node, const 
     if (const JsonNode from = node.at("from"); from.text() != "any") t.from = state_of(from);
     t.to = state_of(node.at("to"));
     if (node.has("seconds")) t.seconds = node.at("seconds").real();
-    if (node.has("curve")) t.curve = value_of_word(node.at("curve"), k_curves);
-    if (node.has("kind")) t.kind = value_of_word(node.at("kind"), k_kinds);
-    if (node.has("interrupted_by")) t.interrupted_by = value_of_word(node.at("interrupted_by"), k_interruptions);
+    if (node.has("curve")) t.curve = node.at("curve").word(k_curves);
+    if (node.has("kind")) t.kind = node.at("kind").word(k_kinds);
+    if (node.has("interrupted_by")) t.interrupted_by = node.at("interrupted_by").word(k_interruptions);
     if (node.has("priority")) t.priority = node.at("priority").real();
     if (node.has("enter")) {
         JsonNode enter = node.at("enter");
@@ -242,7 +268,7 @@ Transition NodeReader::transition(const std::string& name, JsonNode node, const 
             t.entry_group = group(enter.at("phase_of"));
             enter.finish();
         } else {
-            t.entry = value_of_word(enter, k_entries);
+            t.entry = enter.word(k_entries);
         }
     }
     for (const JsonNode& when : node.at("when").items()) t.conditions.push_back(condition(when));
@@ -328,6 +354,20 @@ int NodeReader::add_data(JsonNode& node, const std::string& path, int depth) {
     }
     node.finish();
     return add_node(program_, path, std::move(data), children);
+}
+
+}  // namespace
+
+std::vector<EventMark> read_marks(Program& program, const JsonNode& events) {
+    std::vector<EventMark> marks;
+    for (const auto& [name, time] : events.entries()) marks.push_back({event_index(program, name), time.real()});
+    std::stable_sort(marks.begin(), marks.end(), [](const EventMark& a, const EventMark& b) { return a.at < b.at; });
+    return marks;
+}
+
+void read_nodes(Program& program, const JsonNode& named, const JsonNode& root, const std::map<std::string, int>& masks,
+                const std::function<int(const std::string&)>& clip_of) {
+    NodeReader(program, named, masks, clip_of).add(root);
 }
 
 }  // namespace surefoot
