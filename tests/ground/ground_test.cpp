@@ -1,6 +1,8 @@
 #include <surefoot/ground/height_field.h>
 #include <surefoot/ground/shapes.h>
 
+#include "tests/ground/ask.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,12 +10,7 @@
 namespace surefoot {
 namespace {
 
-GroundHit ask(const Ground& ground, float x, float z, float y = 0, float up = 100, float down = 100) {
-    const GroundQuery query{{x, y, z}, up, down};
-    GroundHit hit;
-    ground.query({&query, 1}, {&hit, 1});
-    return hit;
-}
+using test::ask;
 
 /// Height of a mesh under (x, z), found by searching its triangles seen from above; NaN where there is none.
 float mesh_height(const SurfaceMesh& mesh, float x, float z) {

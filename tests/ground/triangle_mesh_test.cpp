@@ -3,6 +3,8 @@
 #include <surefoot/ground/shapes.h>
 #include <surefoot/ground/triangle_mesh.h>
 
+#include "tests/ground/ask.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,12 +12,7 @@
 namespace surefoot {
 namespace {
 
-GroundHit ask(const Ground& ground, float x, float z, float y = 0, float up = 100, float down = 100) {
-    const GroundQuery query{{x, y, z}, up, down};
-    GroundHit hit;
-    ground.query({&query, 1}, {&hit, 1});
-    return hit;
-}
+using test::ask;
 
 SurfaceMesh joined(SurfaceMesh a, const SurfaceMesh& b) {
     const auto first = static_cast<std::uint32_t>(a.positions.size());
