@@ -19,12 +19,7 @@ void lay_over(const LocomotionGraph& graph, const LocomotionFrame& frame, std::s
     const std::span<Transform> layer{reinterpret_cast<Transform*>(memory), joints};
     sample_pose(*graph.skeleton, graph.clips, {frame.layer.data(), static_cast<std::size_t>(frame.layer_count)}, layer);
     const std::vector<float>& mask = graph.styles[static_cast<std::size_t>(frame.layer_style)].mask;
-    for (std::size_t j = 0; j < joints; ++j) {
-        const float share = frame.layer_weight * mask[j];
-        if (!(share > 0)) continue;
-        locals[j].rotation = nlerp(locals[j].rotation, layer[j].rotation, share);
-        locals[j].translation = lerp(locals[j].translation, layer[j].translation, share);
-    }
+    lay_over(locals.first(joints), layer, frame.layer_weight, mask.data());
 }
 
 }  // namespace

@@ -225,4 +225,13 @@ int make_leaves(std::span<const PackedClip> clips, std::span<const Active> activ
     return count;
 }
 
+void lay_over(std::span<Transform> base, std::span<const Transform> above, float weight, const float* mask) noexcept {
+    for (std::size_t j = 0; j < base.size(); ++j) {
+        const float share = weight * (mask == nullptr ? 1.0f : mask[j]);
+        if (!(share > 0)) continue;
+        base[j].rotation = nlerp(base[j].rotation, above[j].rotation, share);
+        base[j].translation = lerp(base[j].translation, above[j].translation, share);
+    }
+}
+
 }  // namespace surefoot

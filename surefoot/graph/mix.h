@@ -77,4 +77,7 @@ float clock_time(const PackedClip& clip, double clock) noexcept;
 int make_leaves(std::span<const PackedClip> clips, std::span<const Active> active, double clock, float phase,
                 std::uint32_t cycle, std::span<Leaf> leaves) noexcept;
 
+/// Lays a local pose over another where `mask` (by joint; null: everywhere) says so, with `weight` of all of it.
+void lay_over(std::span<Transform> base, std::span<const Transform> above, float weight, const float* mask) noexcept;
+
 }  // namespace surefoot

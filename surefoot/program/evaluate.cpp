@@ -44,15 +44,6 @@ void add_pose(const Program& program, const PoseTask& task, std::span<Transform>
     }
 }
 
-void blend_pose(float weight, const float* mask, std::span<Transform> base, std::span<const Transform> above) noexcept {
-    for (std::size_t j = 0; j < base.size(); ++j) {
-        const float share = weight * (mask == nullptr ? 1.0f : mask[j]);
-        if (!(share > 0)) continue;
-        base[j].rotation = nlerp(base[j].rotation, above[j].rotation, share);
-        base[j].translation = lerp(base[j].translation, above[j].translation, share);
-    }
-}
-
 void sample_task(const Program& program, const GraphFrame& frame, const PoseTask& task,
                  std::span<Transform> out) noexcept {
     const LocomotionGraph& body = program.body;
@@ -92,12 +83,12 @@ void evaluate_tasks(const Program& program, std::span<const std::byte> state, co
                 break;
             }
             case PoseTask::Kind::blend:
-                blend_pose(task.weight, nullptr, to, reg(task.to + 1));
+                lay_over(to, reg(task.to + 1), task.weight, nullptr);
                 break;
             case PoseTask::Kind::layer: {
                 const auto index = static_cast<std::size_t>(task.mask);
                 const auto& mask = task.style_mask ? program.body.styles[index].mask : program.masks[index];
-                blend_pose(task.weight, mask.data(), to, reg(task.to + 1));
+                lay_over(to, reg(task.to + 1), task.weight, mask.data());
                 break;
             }
             case PoseTask::Kind::add:
