@@ -7,7 +7,7 @@
 #include <surefoot/io/gltf.h>
 #include <surefoot/motion/edit.h>
 #include <surefoot/motion/root_motion.h>
-#include <surefoot/preset/gait_cycle.h>
+#include <surefoot/synthetic/gait_cycle.h>
 
 #include <benchmark/benchmark.h>
 
@@ -47,7 +47,7 @@ class Library {
   public:
     Library() : folder_(fs::temp_directory_path() / ("surefoot_bench_author_" + program_stamp())) {
         fs::remove_all(folder_);
-        const std::vector<GaitParameters> gaits = default_gaits();
+        const std::vector<GaitParameters> gaits = synthetic_gaits();
         const auto walk =
             std::find_if(gaits.begin(), gaits.end(), [](const GaitParameters& gait) { return gait.name == "walk"; });
         walk_ = *walk;

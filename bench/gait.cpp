@@ -7,7 +7,7 @@
 #include <surefoot/gait_text/gait.h>
 #include <surefoot/live/live.h>
 #include <surefoot/motion/stance.h>
-#include <surefoot/preset/biped.h>
+#include <surefoot/synthetic/biped.h>
 
 #include <benchmark/benchmark.h>
 

@@ -21,7 +21,7 @@ fit "$game_clips#Crouch_Fwd_Loop" --to default -o "$work/crouch.json"
 fit "$work/crouch.json" --stretch 0.3,1.4 -o $gaits/crouch.json
 fit "$game_clips#Idle_Loop" --to default -o "$work/idle.json"
 fit "$work/idle.json" --shift-weight -o $gaits/idle.json
-"$program" author --default -o "$work/project" >/dev/null
+"$program" author --synthetic -o "$work/project" >/dev/null
 for side in left right; do
   fit "$work/project/clips/strafe_$side.glb" -o "$work/strafe.json"
   fit "$work/strafe.json" --stretch 0.3,1.6 -o $gaits/strafe_$side.json

@@ -10,8 +10,8 @@
 #include <surefoot/author/rank.h>
 #include <surefoot/base/error.h>
 #include <surefoot/motion/motion.h>
-#include <surefoot/preset/default_set.h>
 #include <surefoot/probe/probe.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include <fmt/format.h>
 
@@ -29,8 +29,8 @@ struct Options {
     std::vector<std::string> axes, styles, upper_styles;
     float extrapolate = -1;
     double unit_scale = 0;
-    bool strict = false, use_default = false, no_mannequin = false, no_retarget = false, json = false, probe = false,
-         fix = false;
+    bool strict = false, use_default = false, synthetic = false, no_mannequin = false, no_retarget = false,
+         json = false, probe = false, fix = false;
     int grid = 0, probe_grid = 0;
 };
 
@@ -98,8 +98,8 @@ void print_probe(const AuthorResult& result) {
 }
 
 int run(const Options& options) {
-    if (options.clips.empty() && !options.use_default)
-        throw Error("no clips were given", "author", "name files or folders, or use --default for the generated set");
+    if (options.clips.empty() && !options.use_default && !options.synthetic)
+        throw Error("no clips were given", "author", "name files or folders, or use --default for the built-in set");
     AuthorOptions author;
     author.name = options.name;
     author.axes = options.axes;
@@ -117,8 +117,9 @@ int run(const Options& options) {
     const auto loaded = [&] {
         return load_clips_and_gaits(options.clips, {options.unit_scale}, author.actor ? &*author.actor : nullptr);
     };
-    const AuthorResult result = options.clips.empty() ? author_motions(make_default_set().clips, options.folder, author)
-                                                      : author_loaded(loaded(), options.folder, author);
+    const AuthorResult result = options.clips.empty()
+                                    ? author_motions(make_synthetic_set().clips, options.folder, author)
+                                    : author_loaded(loaded(), options.folder, author);
     for (const std::string& failure : result.failed) fmt::print(stderr, "surefoot: {}\n", failure);
     for (const std::string& warning : result.warnings) fmt::print(stderr, "surefoot: {}\n", warning);
     if (options.json) {
@@ -148,6 +149,7 @@ const Command k_author{
         app.add_option("clips", options->clips, "files or folders of .bvh, .glb, .gltf, .fbx; FILE#NAME for one clip");
         app.add_option("-o,--output", options->folder, "folder for project.json, report.html and clips")->required();
         app.add_flag("--default", options->use_default, "use the generated set of clips where none is given");
+        app.add_flag("--synthetic", options->synthetic, "use clips made from numbers alone where none is given");
         app.add_option("--axes", options->axes,
                        "axes of a space, up to four, as speed,turn or forward,lateral,style (repeatable)")
             ->allow_extra_args(false);

@@ -10,8 +10,8 @@
 #include <surefoot/math/trig.h>
 #include <surefoot/motion/edit.h>
 #include <surefoot/motion/root_motion.h>
-#include <surefoot/preset/default_set.h>
 #include <surefoot/space/triangulate.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include <cstdio>
 #include <memory>
@@ -37,14 +37,14 @@ std::uint64_t hash_worlds(const Motion& motion) {
     return hash;
 }
 
-const Motion& clip_named(const DefaultSet& set, const std::string& name) {
+const Motion& clip_named(const ClipSet& set, const std::string& name) {
     for (const Motion& clip : set.clips)
         if (clip.name == name) return clip;
     throw Error("the default set has no clip of that name", name, "");
 }
 
 /// A biped that travels in a curve and swings every joint: not a gait, but every bit of it counts.
-Motion swinging_biped(const DefaultSet& set) {
+Motion swinging_biped(const ClipSet& set) {
     Motion motion = make_motion(set.skeleton, "swinging", 180, 60);
     for (int f = 0; f < motion.frame_count(); ++f) {
         const double t = static_cast<double>(f) / 60;
@@ -64,13 +64,13 @@ Motion swinging_biped(const DefaultSet& set) {
 /// The generated clips, every joint of every frame.
 std::uint64_t generated_scenario() {
     std::uint64_t hash = hash_bytes({});
-    for (const Motion& clip : make_default_set().clips) hash = hash * 31 + hash_worlds(clip);
+    for (const Motion& clip : make_synthetic_set().clips) hash = hash * 31 + hash_worlds(clip);
     return hash;
 }
 
 /// Clip through BVH text and back, its root motion extracted and mirrored.
 std::uint64_t motion_scenario() {
-    const DefaultSet set = make_default_set();
+    const ClipSet set = make_synthetic_set();
     const std::string text = write_bvh(swinging_biped(set));
     Motion motion = read_bvh(text, "swinging.bvh").motion;
     extract_root_motion(motion, set.roles);
@@ -103,7 +103,7 @@ std::uint64_t space_scenario() {
 
 /// The generated clips measured, baked, and steered over hills with the feet on the ground, ten seconds.
 std::uint64_t walk_scenario() {
-    const DefaultSet set = make_default_set();
+    const ClipSet set = make_synthetic_set();
     std::vector<AnalyzedClip> clips;
     ProjectSpace facing;
     facing.name = "facing";
@@ -132,6 +132,6 @@ std::string run_scenarios() {
     return text;
 }
 
-std::string example_bvh() { return write_bvh(clip_named(make_default_set(), "walk")); }
+std::string example_bvh() { return write_bvh(clip_named(make_synthetic_set(), "walk")); }
 
 }  // namespace surefoot::wasm

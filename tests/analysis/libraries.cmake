@@ -1,5 +1,5 @@
 # Real clips come through the readers; the generated default set needs none.
-target_link_libraries(test_analysis PRIVATE surefoot::room_io surefoot::room_preset)
+target_link_libraries(test_analysis PRIVATE surefoot::room_io surefoot::room_synthetic)
 
 # The command's contract; with real clips where they lie beside the repository.
 set(motion "${PROJECT_SOURCE_DIR}/../shared/motion")

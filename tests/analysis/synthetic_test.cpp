@@ -3,8 +3,8 @@
 #include <surefoot/base/error.h>
 #include <surefoot/motion/edit.h>
 #include <surefoot/motion/root_motion.h>
-#include <surefoot/preset/default_set.h>
-#include <surefoot/preset/gait_cycle.h>
+#include <surefoot/synthetic/gait_cycle.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include <algorithm>
 
@@ -13,8 +13,8 @@
 namespace surefoot {
 namespace {
 
-const DefaultSet& default_set() {
-    static const DefaultSet set = make_default_set();
+const ClipSet& synthetic_set() {
+    static const ClipSet set = make_synthetic_set();
     return set;
 }
 
@@ -23,15 +23,15 @@ AnalyzedClip facts_of(const Motion& motion) { return analyze_clip(motion, "made"
 /// One clip of the set beside the parameters that made it.
 class Generated : public ::testing::TestWithParam<std::size_t> {
   protected:
-    const Motion& motion() const { return default_set().clips[GetParam()]; }
-    GaitParameters gait() const { return default_gaits()[GetParam()]; }
+    const Motion& motion() const { return synthetic_set().clips[GetParam()]; }
+    GaitParameters gait() const { return synthetic_gaits()[GetParam()]; }
     bool steps() const { return gait().duty < 1; }
     bool on_the_spot() const { return steps() && gait().forward == 0 && gait().lateral == 0; }
     float speed() const { return std::sqrt(gait().forward * gait().forward + gait().lateral * gait().lateral); }
 };
 
-std::string name_of(const ::testing::TestParamInfo<std::size_t>& info) { return default_gaits()[info.param].name; }
-INSTANTIATE_TEST_SUITE_P(DefaultSet, Generated, ::testing::Range<std::size_t>(0, default_gaits().size()), name_of);
+std::string name_of(const ::testing::TestParamInfo<std::size_t>& info) { return synthetic_gaits()[info.param].name; }
+INSTANTIATE_TEST_SUITE_P(SyntheticSet, Generated, ::testing::Range<std::size_t>(0, synthetic_gaits().size()), name_of);
 
 TEST_P(Generated, has_the_figures_that_made_it) {
     const ClipFacts facts = facts_of(motion()).facts;
@@ -130,7 +130,7 @@ TEST_P(Generated, made_in_place_travels_as_its_feet_say) {
 
 TEST_P(Generated, mirrored_has_mirrored_facts) {
     const ClipFacts own = facts_of(motion()).facts;
-    const ClipFacts other = facts_of(mirror(motion(), default_set().roles)).facts;
+    const ClipFacts other = facts_of(mirror(motion(), synthetic_set().roles)).facts;
     EXPECT_NEAR(other.forward, own.forward, 1e-4f);
     EXPECT_NEAR(other.lateral, -own.lateral, 1e-4f);
     EXPECT_NEAR(other.turn, -own.turn, 1e-2f);
@@ -164,7 +164,7 @@ TEST_P(Generated, reversed_travels_the_other_way) {
 }
 
 TEST(analyze_clip, an_in_place_clip_keeps_its_frames_and_its_pose_over_the_ground) {
-    Motion still = default_set().clips[1];
+    Motion still = synthetic_set().clips[1];
     ASSERT_EQ(still.name, "walk");
     std::fill(still.root.begin(), still.root.end(), RootFrame{});
     const AnalyzedClip clip = facts_of(still);
@@ -176,7 +176,7 @@ TEST(analyze_clip, an_in_place_clip_keeps_its_frames_and_its_pose_over_the_groun
 }
 
 TEST(analyze_clip, one_frame_is_a_pose_and_no_motion) {
-    const AnalyzedClip clip = facts_of(cut(default_set().clips[1], 5, 5));
+    const AnalyzedClip clip = facts_of(cut(synthetic_set().clips[1], 5, 5));
     EXPECT_EQ(clip.facts.frames, 1);
     EXPECT_EQ(clip.facts.duration, 0);
     EXPECT_EQ(clip.facts.speed, 0);
@@ -187,7 +187,7 @@ TEST(analyze_clip, one_frame_is_a_pose_and_no_motion) {
 }
 
 TEST(analyze_clip, any_few_frames_are_measured_without_trouble) {
-    for (const Motion& motion : default_set().clips)
+    for (const Motion& motion : synthetic_set().clips)
         for (int frames = 1; frames <= 8; ++frames) {
             const AnalyzedClip clip = facts_of(cut(motion, 3, 2 + frames));
             EXPECT_EQ(clip.facts.frames, frames);
@@ -228,7 +228,7 @@ TEST(analyze_clip, one_leg_is_not_enough_and_only_the_other_is_named) {
 }
 
 TEST(analyze_clip, legs_of_no_length_are_refused) {
-    Motion motion = default_set().clips[1];
+    Motion motion = synthetic_set().clips[1];
     for (Transform& joint : motion.locals) joint.translation = {};
     auto flat = std::make_shared<Skeleton>(*motion.skeleton);
     for (Transform& joint : flat->rest) joint.translation = {};
@@ -237,13 +237,13 @@ TEST(analyze_clip, legs_of_no_length_are_refused) {
 }
 
 TEST(analyze_clip, numbers_that_are_not_finite_are_refused) {
-    Motion motion = default_set().clips[1];
+    Motion motion = synthetic_set().clips[1];
     motion.locals[100].translation.x = std::numeric_limits<float>::quiet_NaN();
     EXPECT_NE(refusal(motion).find("made"), std::string::npos);
 }
 
 TEST(find_cycles, gives_a_cycle_back_closed_and_under_its_own_name) {
-    for (const Motion& motion : default_set().clips) {
+    for (const Motion& motion : synthetic_set().clips) {
         const std::vector<AnalyzedClip> cycles = find_cycles(facts_of(motion));
         ASSERT_EQ(cycles.size(), 1u) << motion.name;
         EXPECT_EQ(cycles[0].facts.name, motion.name);
@@ -253,7 +253,7 @@ TEST(find_cycles, gives_a_cycle_back_closed_and_under_its_own_name) {
 }
 
 TEST(find_cycles, cuts_one_stride_out_of_many) {
-    const Motion& walk = default_set().clips[1];
+    const Motion& walk = synthetic_set().clips[1];
     const std::vector<Motion> parts(5, walk);
     Motion take = concatenate(parts);
     bake_root_motion(take);
@@ -278,7 +278,7 @@ TEST(find_cycles, cuts_one_stride_out_of_many) {
 }
 
 TEST(find_strides, cuts_every_stride_even_where_the_pace_changes) {
-    const Motion& walk = default_set().clips[1];
+    const Motion& walk = synthetic_set().clips[1];
     const Motion faster = resample(retime(walk, 1.2f), walk.fps);
     Motion second = faster;
     second.fps = walk.fps;

@@ -7,7 +7,7 @@
 #include <surefoot/host/parallel.h>
 #include <surefoot/io/gltf.h>
 #include <surefoot/io/load.h>
-#include <surefoot/preset/default_set.h>
+#include <surefoot/synthetic/synthetic_set.h>
 #include <tests/support/folder.h>
 #include <tests/support/motion_data.h>
 
@@ -38,9 +38,9 @@ AuthorOptions plain() {
     return options;
 }
 
-TEST(author, the_default_set_becomes_a_project_whose_every_file_is_there) {
+TEST(author, the_synthetic_set_becomes_a_project_whose_every_file_is_there) {
     Folder folder;
-    const AuthorResult result = author_motions(make_default_set().clips, folder.path, plain());
+    const AuthorResult result = author_motions(make_synthetic_set().clips, folder.path, plain());
     const Project project = load_project(folder.path);
     EXPECT_TRUE(project == result.project);
     ASSERT_NE(project.find_space("facing"), nullptr);
@@ -63,7 +63,7 @@ TEST(author, the_default_set_becomes_a_project_whose_every_file_is_there) {
 
 TEST(author, numbers_beside_the_clips_open_a_third_dimension_that_survives_the_next_run) {
     Folder folder;
-    const DefaultSet set = make_default_set();
+    const ClipSet set = make_synthetic_set();
     for (const Motion& clip : set.clips) {
         if (clip.name != "idle" && clip.name != "walk" && clip.name != "walk_left" && clip.name != "walk_right" &&
             clip.name != "run")
@@ -106,7 +106,7 @@ TEST(author, the_bytes_do_not_depend_on_the_thread_count) {
     for (const int threads : {1, 8}) {
         set_thread_count(threads);
         const fs::path out = folder.path / std::to_string(threads);
-        author_motions(make_default_set().clips, out, plain());
+        author_motions(make_synthetic_set().clips, out, plain());
         if (threads == 1)
             first = contents(out);
         else
@@ -118,7 +118,7 @@ TEST(author, the_bytes_do_not_depend_on_the_thread_count) {
 
 TEST(author, running_again_keeps_what_the_user_pinned) {
     Folder folder;
-    author_motions(make_default_set().clips, folder.path, plain());
+    author_motions(make_synthetic_set().clips, folder.path, plain());
     Project project = load_project(folder.path);
     project.name = "kept name";
     project.clips[project.find_clip("walk_left")].excluded = true;
@@ -136,7 +136,7 @@ TEST(author, running_again_keeps_what_the_user_pinned) {
 
     AuthorOptions options = plain();
     options.name.clear();
-    author_motions(make_default_set().clips, folder.path, options);
+    author_motions(make_synthetic_set().clips, folder.path, options);
     const Project again = load_project(folder.path);
     EXPECT_EQ(again.name, "kept name");
     const ProjectClip& left = again.clips[again.find_clip("walk_left")];
@@ -154,7 +154,7 @@ TEST(author, running_again_keeps_what_the_user_pinned) {
     EXPECT_NE(again.unknown.find("mine"), std::string::npos);
     for (const Finding& finding : again.findings) EXPECT_NE(finding.rule, "uncovered");
     const auto before = contents(folder.path);
-    author_motions(make_default_set().clips, folder.path, options);
+    author_motions(make_synthetic_set().clips, folder.path, options);
     EXPECT_EQ(contents(folder.path), before) << "a third run changes nothing";
 }
 
@@ -205,7 +205,7 @@ TEST(author, what_cannot_be_authored_is_said_in_so_many_words_and_leaves_no_proj
 
 TEST(author, identical_clips_are_authored_and_said_to_be_so) {
     Folder folder;
-    const std::vector<Motion> set = make_default_set().clips;
+    const std::vector<Motion> set = make_synthetic_set().clips;
     const auto walk = std::find_if(set.begin(), set.end(), [](const Motion& m) { return m.name == "walk"; });
     ASSERT_NE(walk, set.end());
     const AuthorResult result = author_motions({*walk, *walk, *walk}, folder.path, plain());
@@ -221,7 +221,7 @@ TEST(author, clips_of_a_style_get_a_space_of_their_own_and_keep_it) {
     Folder folder;
     AuthorOptions options = plain();
     options.styles = {StyleOption::parse("brisk=jog*", false), StyleOption::parse("none=nothing*", true)};
-    AuthorResult result = author_motions(make_default_set().clips, folder.path, options);
+    AuthorResult result = author_motions(make_synthetic_set().clips, folder.path, options);
     const ProjectSpace* style = result.project.find_space("style:brisk");
     ASSERT_NE(style, nullptr);
     EXPECT_EQ(style->clips.size(), 3u) << "jog, jog_left, jog_right";
@@ -230,7 +230,7 @@ TEST(author, clips_of_a_style_get_a_space_of_their_own_and_keep_it) {
     for (const Finding& finding : result.project.findings) EXPECT_NE(finding.space, "style:brisk") << finding.message;
     EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(),
                             [](const std::string& w) { return w.find("no style \"none\"") != std::string::npos; }));
-    result = author_motions(make_default_set().clips, folder.path, plain());
+    result = author_motions(make_synthetic_set().clips, folder.path, plain());
     EXPECT_NE(result.project.find_space("style:brisk"), nullptr) << "kept by the project";
     EXPECT_THROW(StyleOption::parse("=x", false), Error);
     EXPECT_THROW(StyleOption::parse("brisk", false), Error);
@@ -239,7 +239,7 @@ TEST(author, clips_of_a_style_get_a_space_of_their_own_and_keep_it) {
 TEST(author, a_damaged_project_is_not_overwritten) {
     Folder folder;
     write_file(folder.path / "project.json", "{\"surefoot_project\": 1, \"clips\": 7}");
-    EXPECT_NE(message_of([&] { author_motions(make_default_set().clips, folder.path, plain()); }).find("/clips"),
+    EXPECT_NE(message_of([&] { author_motions(make_synthetic_set().clips, folder.path, plain()); }).find("/clips"),
               std::string::npos);
     EXPECT_EQ(read_file(folder.path / "project.json"), "{\"surefoot_project\": 1, \"clips\": 7}");
 }

@@ -5,8 +5,8 @@
 #include <surefoot/author/author.h>
 #include <surefoot/host/files.h>
 #include <surefoot/io/gltf.h>
-#include <surefoot/preset/biped.h>
-#include <surefoot/preset/gait_cycle.h>
+#include <surefoot/synthetic/biped.h>
+#include <surefoot/synthetic/gait_cycle.h>
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ const std::vector<Wanted> k_figure{
 };
 
 Motion make_clip_of(const Wanted& wanted, const Rig& biped) {
-    for (GaitParameters gait : default_gaits())
+    for (GaitParameters gait : synthetic_gaits())
         if (gait.name == wanted.gait) {
             gait.name = wanted.name;
             gait.forward = wanted.speed;

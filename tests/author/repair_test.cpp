@@ -8,8 +8,8 @@
 #include <surefoot/base/error.h>
 #include <surefoot/host/files.h>
 #include <surefoot/host/parallel.h>
-#include <surefoot/preset/default_set.h>
 #include <surefoot/space/lock_edge.h>
+#include <surefoot/synthetic/synthetic_set.h>
 #include <tests/support/folder.h>
 #include <tests/support/motion_data.h>
 
@@ -26,7 +26,7 @@ using test::Folder;
 
 /// The generated set without some of its clips.
 std::vector<Motion> set_without(const std::vector<std::string>& names) {
-    DefaultSet set = make_default_set();
+    ClipSet set = make_synthetic_set();
     std::erase_if(set.clips, [&](const Motion& motion) {
         return std::find(names.begin(), names.end(), motion.name) != names.end();
     });
@@ -226,7 +226,7 @@ TEST(repair, nothing_is_done_to_a_space_that_would_lose_its_second_dimension) {
     std::vector<std::string> warnings;
     Folder folder;
     std::vector<Motion> clips;
-    DefaultSet set = make_default_set();
+    ClipSet set = make_synthetic_set();
     for (Motion& motion : set.clips)
         if (motion.name == "idle" || motion.name == "walk" || motion.name == "walk_left") clips.push_back(motion);
     author_motions(clips, folder.path, options(true));
@@ -286,7 +286,7 @@ TEST(rank_placeholders, worth_is_said_in_whole_warnings) {
 TEST(rank_placeholders, the_clip_that_opens_a_dimension_is_worth_most) {
     Folder folder;
     std::vector<std::string> warnings;
-    DefaultSet set = make_default_set();
+    ClipSet set = make_synthetic_set();
     std::vector<Motion> clips;
     for (Motion& motion : set.clips)
         if (motion.name == "idle" || motion.name == "walk" || motion.name == "run") clips.push_back(motion);
@@ -301,7 +301,7 @@ TEST(rank_placeholders, the_clip_that_opens_a_dimension_is_worth_most) {
 TEST(rank_placeholders, what_the_probe_found_wrong_goes_before_findings) {
     Folder folder;
     std::vector<std::string> warnings;
-    DefaultSet set = make_default_set();
+    ClipSet set = make_synthetic_set();
     std::vector<Motion> clips;
     for (Motion& motion : set.clips)
         if (motion.name == "idle" || motion.name == "walk" || motion.name == "turn_left" || motion.name == "turn_right")
@@ -341,7 +341,7 @@ TEST(rank_placeholders, what_the_probe_found_wrong_goes_before_findings) {
 
 TEST(make_clip, marks_are_one_cycle_of_alternating_feet) {
     AnalyzedClip clip;
-    clip.motion = make_motion(make_default_set().skeleton, "x", 61, 60);
+    clip.motion = make_motion(make_synthetic_set().skeleton, "x", 61, 60);
     clip.motion.cyclic = true;
     EXPECT_EQ(cycle_marks(clip)->size(), 0u);
     clip.facts.events = {{Side::right, StrideEvent::strike, 0.1f}, {Side::left, StrideEvent::strike, 0.6f}};

@@ -3,7 +3,7 @@
 #include <surefoot/author/labels.h>
 #include <surefoot/author/report.h>
 #include <surefoot/author/report_parts.h>
-#include <surefoot/preset/default_set.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include <gtest/gtest.h>
 
@@ -120,7 +120,7 @@ struct Played {
 };
 Played played() {
     Played result;
-    DefaultSet set = make_default_set();
+    ClipSet set = make_synthetic_set();
     for (Motion& motion : set.clips)
         if (motion.name == "idle" || motion.name == "walk" || motion.name == "walk_left" || motion.name == "run")
             result.clips.push_back(analyze_clip(std::move(motion), "generated"));

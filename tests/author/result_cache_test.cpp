@@ -2,7 +2,7 @@
 #include <surefoot/author/result_cache.h>
 #include <surefoot/host/files.h>
 #include <surefoot/io/gltf.h>
-#include <surefoot/preset/default_set.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include <gtest/gtest.h>
 
@@ -108,7 +108,7 @@ std::map<std::string, std::string> outputs(const fs::path& folder) {
 /// A few generated clips as files, one of them a take of two cycles.
 std::vector<std::string> write_clips(const fs::path& folder) {
     std::vector<std::string> paths;
-    for (const Motion& motion : make_default_set().clips) {
+    for (const Motion& motion : make_synthetic_set().clips) {
         if (motion.name.find("jog") == 0 || motion.name.find("strafe") == 0) continue;
         GltfScene scene;
         scene.motions = {motion};
@@ -151,7 +151,7 @@ TEST_F(Cached, only_the_clip_that_changed_is_written_again) {
     author_clips(clips, out, {});
     const auto before = fs::last_write_time(out / "clips/walk.glb"), other = fs::last_write_time(out / "clips/run.glb");
     Motion motion;
-    for (Motion& one : make_default_set().clips)
+    for (Motion& one : make_synthetic_set().clips)
         if (one.name == "run") motion = one;
     for (RootFrame& root : motion.root) root.position.z *= 1.01f;
     GltfScene scene;

@@ -5,8 +5,8 @@
 #include <surefoot/author/retarget_clips.h>
 #include <surefoot/io/load.h>
 #include <surefoot/motion/edit.h>
-#include <surefoot/preset/biped.h>
-#include <surefoot/preset/default_set.h>
+#include <surefoot/synthetic/biped.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include "tests/support/motion_data.h"
 
@@ -34,7 +34,7 @@ AnalyzedClip read(const std::filesystem::path& path, int frames = 600) {
 }
 
 AnalyzedClip generated(const std::string& name) {
-    DefaultSet set = make_default_set();
+    ClipSet set = make_synthetic_set();
     for (Motion& motion : set.clips)
         if (motion.name == name) return analyze_clip(std::move(motion), name);
     throw std::runtime_error("no such clip");

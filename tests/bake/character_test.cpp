@@ -1,10 +1,10 @@
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/bake/character.h>
 #include <surefoot/base/error.h>
-#include <surefoot/preset/default_set.h>
 #include <surefoot/space/triangulate.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
-#include "tests/bake/default_clips.h"
+#include "tests/bake/synthetic_clips.h"
 
 #include <gtest/gtest.h>
 
@@ -13,11 +13,11 @@
 namespace surefoot {
 namespace {
 
-using test::default_clips;
 using test::spaces_for;
+using test::synthetic_clips;
 
 TEST(Character, the_generated_set_bakes_and_walks_as_asked) {
-    const auto clips = default_clips();
+    const auto clips = synthetic_clips();
     const Character character = bake_character(clips, spaces_for(clips), "default");
     EXPECT_EQ(problem(character.graph), "");
     EXPECT_EQ(character.facts.size(), character.graph.clips.size());
@@ -43,7 +43,7 @@ TEST(Character, the_generated_set_bakes_and_walks_as_asked) {
 }
 
 TEST(Character, strafes_come_from_the_lateral_space) {
-    const auto clips = default_clips();
+    const auto clips = synthetic_clips();
     const Character character = bake_character(clips, spaces_for(clips));
     LocomotionState state;
     const LocomotionFrame frame = update(character.graph, state, {0, 0, 0.5f}, 1.0f / 60);
@@ -52,7 +52,7 @@ TEST(Character, strafes_come_from_the_lateral_space) {
 }
 
 TEST(Character, the_order_of_threads_does_not_show) {
-    const auto clips = default_clips();
+    const auto clips = synthetic_clips();
     const Character a = bake_character(clips, spaces_for(clips)), b = bake_character(clips, spaces_for(clips));
     for (std::size_t i = 0; i < a.graph.clips.size(); ++i) {
         EXPECT_EQ(a.graph.clips[i].name, b.graph.clips[i].name);
@@ -62,7 +62,7 @@ TEST(Character, the_order_of_threads_does_not_show) {
 }
 
 TEST(Character, what_does_not_fit_is_refused_with_a_reason) {
-    auto clips = default_clips();
+    auto clips = synthetic_clips();
     const auto spaces = spaces_for(clips);
     const auto refusal = [](auto bake) -> std::string {
         try {
@@ -86,7 +86,7 @@ TEST(Character, what_does_not_fit_is_refused_with_a_reason) {
 }
 
 TEST(Character, clips_on_a_skeleton_of_other_proportions_keep_their_own) {
-    auto clips = default_clips();
+    auto clips = synthetic_clips();
     auto longer = std::make_shared<Skeleton>(*clips[1].motion.skeleton);
     longer->rest[3].translation *= 1.1f;
     clips[1].motion.skeleton = longer;

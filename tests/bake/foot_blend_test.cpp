@@ -1,7 +1,7 @@
 #include <surefoot/bake/character.h>
 #include <surefoot/clip/sample.h>
 
-#include "tests/bake/default_clips.h"
+#include "tests/bake/synthetic_clips.h"
 #include "tests/support/allocations.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 const Character& default_character() {
     static const Character character = [] {
-        const auto clips = test::default_clips();
+        const auto clips = test::synthetic_clips();
         return bake_character(clips, test::spaces_for(clips), "default");
     }();
     return character;
@@ -82,7 +82,7 @@ TEST(FootBlend, planted_feet_of_blends_stand_still_and_on_the_ground) {
 }
 
 TEST(FootBlend, feet_stand_still_though_the_strikes_of_a_clip_are_unevenly_spaced) {
-    auto clips = test::default_clips();
+    auto clips = test::synthetic_clips();
     const float duty = 0.62f;
     for (AnalyzedClip& clip : clips) {
         if (clip.facts.name != "walk") continue;

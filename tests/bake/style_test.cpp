@@ -1,7 +1,7 @@
 #include <surefoot/bake/character.h>
-#include <surefoot/preset/gait_cycle.h>
+#include <surefoot/synthetic/gait_cycle.h>
 
-#include "tests/bake/default_clips.h"
+#include "tests/bake/synthetic_clips.h"
 
 #include <gtest/gtest.h>
 
@@ -15,13 +15,13 @@ constexpr float k_dt = 1.0f / 120;
 /// The default set and a deep, stiff-armed prowl, as a style of the whole body and as one of the upper body.
 const Character& styled_character() {
     static const Character character = [] {
-        std::vector<AnalyzedClip> clips = test::default_clips();
+        std::vector<AnalyzedClip> clips = test::synthetic_clips();
         std::vector<ProjectSpace> spaces = test::spaces_for(clips);
         ProjectSpace prowl;
         prowl.name = "style:prowl";
         prowl.space.axes = {{"speed", "m/s", 0, 2, false}};
         for (const float speed : {0.7f, 1.3f}) {
-            const std::vector<GaitParameters> gaits = default_gaits();
+            const std::vector<GaitParameters> gaits = synthetic_gaits();
             GaitParameters gait =
                 *std::find_if(gaits.begin(), gaits.end(), [](const auto& g) { return g.name == "walk"; });
             gait.name = "prowl";

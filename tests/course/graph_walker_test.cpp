@@ -3,7 +3,7 @@
 #include <surefoot/graph_text/graph_file.h>
 #include <surefoot/ground/shapes.h>
 #include <surefoot/host/files.h>
-#include <surefoot/preset/default_set.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include "tests/support/folder.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 TEST(GraphWalker, a_graph_that_plays_a_projects_spaces_walks_as_the_project_does) {
     test::Folder folder;
-    author_motions(make_default_set().clips, folder.path);
+    author_motions(make_synthetic_set().clips, folder.path);
     write_file(folder.path / "walk.json", R"({"surefoot_graph": 1, "project": ".",
         "parameters": {"speed": {"low": -1, "high": 5, "rate_per_s": 2.5},
                        "turn": {"low": -90, "high": 90, "rate_per_s": 240}},

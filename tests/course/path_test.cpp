@@ -4,8 +4,8 @@
 #include <surefoot/bake/character.h>
 #include <surefoot/course/walk.h>
 #include <surefoot/ground/shapes.h>
-#include <surefoot/preset/default_set.h>
 #include <surefoot/space/triangulate.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 /// The generated clips in a space over speed and turn.
 const Character& character() {
     static const Character made = [] {
-        const DefaultSet set = make_default_set();
+        const ClipSet set = make_synthetic_set();
         std::vector<AnalyzedClip> clips;
         ProjectSpace facing;
         facing.name = "facing";

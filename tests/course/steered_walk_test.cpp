@@ -3,7 +3,7 @@
 
 #include <surefoot/course/walk.h>
 #include <surefoot/ground/shapes.h>
-#include <surefoot/preset/default_set.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include <gtest/gtest.h>
 
@@ -12,19 +12,19 @@
 namespace surefoot {
 namespace {
 
-const DefaultSet& default_set() {
-    static const DefaultSet set = make_default_set();
+const ClipSet& synthetic_set() {
+    static const ClipSet set = make_synthetic_set();
     return set;
 }
 const Motion& clip_named(const std::string& name) {
-    for (const Motion& clip : default_set().clips)
+    for (const Motion& clip : synthetic_set().clips)
         if (clip.name == name) return clip;
     std::abort();
 }
 Legs default_legs() {
-    std::vector<Transform> standing(default_set().skeleton->rest.size());
-    local_to_model(*default_set().skeleton, default_set().skeleton->rest, standing);
-    return make_legs(*default_set().skeleton, default_set().roles, standing, 0);
+    std::vector<Transform> standing(synthetic_set().skeleton->rest.size());
+    local_to_model(*synthetic_set().skeleton, synthetic_set().skeleton->rest, standing);
+    return make_legs(*synthetic_set().skeleton, synthetic_set().roles, standing, 0);
 }
 
 /// Plays a clip, but the root goes where a stick says; what comes is foreseen as though the stick stayed.

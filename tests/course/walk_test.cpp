@@ -1,6 +1,6 @@
 #include <surefoot/course/walk.h>
 #include <surefoot/ground/shapes.h>
-#include <surefoot/preset/default_set.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace {
 
 /// The generated walk, as a walker.
 std::unique_ptr<Walker> preset_walker(const std::string& name = "walk") {
-    static const DefaultSet set = make_default_set();
+    static const ClipSet set = make_synthetic_set();
     for (const Motion& clip : set.clips)
         if (clip.name == name) {
             std::vector<Transform> standing(static_cast<std::size_t>(clip.joint_count()));

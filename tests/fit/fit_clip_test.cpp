@@ -5,7 +5,7 @@
 #include <surefoot/fit/fit_gait.h>
 #include <surefoot/io/load.h>
 #include <surefoot/motion/edit.h>
-#include <surefoot/preset/default_set.h>
+#include <surefoot/synthetic/synthetic_set.h>
 #include <tests/support/motion_data.h>
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace surefoot {
 namespace {
 
 AnalyzedClip default_clip(const std::string& name) {
-    const DefaultSet set = make_default_set();
+    const ClipSet set = make_synthetic_set();
     for (const Motion& motion : set.clips)
         if (motion.name == name) return analyze_clip(motion, name);
     ADD_FAILURE() << "no clip " << name;

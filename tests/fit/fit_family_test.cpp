@@ -5,7 +5,7 @@
 #include <surefoot/host/files.h>
 #include <surefoot/io/load.h>
 #include <surefoot/motion/edit.h>
-#include <surefoot/preset/default_set.h>
+#include <surefoot/synthetic/synthetic_set.h>
 #include <tests/support/motion_data.h>
 
 #include <gtest/gtest.h>
@@ -152,7 +152,7 @@ TEST(BundledFamily, goes_as_fast_as_asked_and_changes_smoothly) {
 
 TEST(FitFamilyOfFew, too_few_strides_are_refused) {
     std::vector<AnalyzedClip> clips;
-    for (const Motion& motion : make_default_set().clips) clips.push_back(analyze_clip(motion, motion.name));
+    for (const Motion& motion : make_synthetic_set().clips) clips.push_back(analyze_clip(motion, motion.name));
     EXPECT_THROW(fit_family(clips), Error);
 }
 

@@ -2,8 +2,8 @@
 #include <surefoot/base/error.h>
 #include <surefoot/graph_text/graph_file.h>
 #include <surefoot/host/files.h>
-#include <surefoot/preset/default_set.h>
 #include <surefoot/program/evaluate.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include "tests/support/allocations.h"
 #include "tests/support/damage.h"
@@ -44,7 +44,7 @@ const char* const k_graph = R"({
 
 class GraphFile : public testing::Test {
   protected:
-    GraphFile() { author_motions(make_default_set().clips, folder_.path); }
+    GraphFile() { author_motions(make_synthetic_set().clips, folder_.path); }
     std::filesystem::path write(const std::string& text, const std::string& name = "hero.json") {
         write_file(folder_.path / name, text);
         return folder_.path / name;

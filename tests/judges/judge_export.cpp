@@ -12,8 +12,8 @@
 #include <surefoot/io/gltf.h>
 #include <surefoot/io/load.h>
 #include <surefoot/mannequin/mannequin.h>
-#include <surefoot/preset/default_set.h>
 #include <surefoot/rig_text/rig_template.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include <nlohmann/json.hpp>
 
@@ -76,7 +76,7 @@ void write_rig(const std::filesystem::path& folder, const std::string& name, con
 }
 
 void write_wrong(const std::filesystem::path& folder) {
-    Motion motion = make_default_set().clips.front();
+    Motion motion = make_synthetic_set().clips.front();
     GltfScene scene;
     scene.motions = {motion};
     std::string bytes = write_glb(scene);
@@ -125,7 +125,7 @@ int run(int argc, char** argv) {
         state_files(folder, {argv + 3, argv + argc});
         return 0;
     }
-    write_case(folder, "default", make_default_set().clips);
+    write_case(folder, "default", make_synthetic_set().clips);
     write_rig(folder, "toe_walker", {"spine=7", "fingers=1"});
     const std::vector<std::string> paths(argv + 2, argv + argc);
     LoadResult loaded = load_clips(paths);

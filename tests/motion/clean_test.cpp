@@ -5,7 +5,7 @@
 #include <surefoot/analysis/footing.h>
 #include <surefoot/base/random.h>
 #include <surefoot/io/load.h>
-#include <surefoot/preset/default_set.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include "tests/support/motion_data.h"
 
@@ -71,7 +71,7 @@ void turn_joint(Motion& motion, int frame, int joint, Quat by) {
 TEST(clean, sound_clips_come_back_bit_for_bit) {
     SUREFOOT_NEED_MOTION_DATA(folder);
     std::vector<Motion> clips = sound_clips(folder);
-    DefaultSet set = make_default_set();
+    ClipSet set = make_synthetic_set();
     std::move(set.clips.begin(), set.clips.end(), std::back_inserter(clips));
     for (const Motion& clip : clips) {
         Motion same = clip;

@@ -4,7 +4,7 @@
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/analysis/measure.h>
 #include <surefoot/io/load.h>
-#include <surefoot/preset/default_set.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include "tests/support/motion_data.h"
 
@@ -14,7 +14,7 @@ namespace surefoot {
 namespace {
 
 AnalyzedClip generated(const std::string& name) {
-    DefaultSet set = make_default_set();
+    ClipSet set = make_synthetic_set();
     for (Motion& motion : set.clips)
         if (motion.name == name) return analyze_clip(std::move(motion), name);
     ADD_FAILURE() << name;

@@ -4,9 +4,9 @@
 #include <surefoot/base/error.h>
 #include <surefoot/base/random.h>
 #include <surefoot/host/parallel.h>
-#include <surefoot/preset/default_set.h>
 #include <surefoot/probe/played_figures.h>
 #include <surefoot/probe/probe.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include <gtest/gtest.h>
 
@@ -16,17 +16,17 @@ namespace surefoot {
 namespace {
 
 /// The generated set: feet stand still where they stand, so what the instrument reads beside the truth is its own.
-const std::vector<AnalyzedClip>& default_clips() {
+const std::vector<AnalyzedClip>& synthetic_clips() {
     static const std::vector<AnalyzedClip> clips = [] {
         std::vector<AnalyzedClip> result;
-        for (const Motion& motion : make_default_set().clips) result.push_back(analyze_clip(motion, motion.name));
+        for (const Motion& motion : make_synthetic_set().clips) result.push_back(analyze_clip(motion, motion.name));
         return result;
     }();
     return clips;
 }
 
 const AnalyzedClip& clip_named(const std::string& name) {
-    for (const AnalyzedClip& clip : default_clips())
+    for (const AnalyzedClip& clip : synthetic_clips())
         if (clip.facts.name == name) return clip;
     throw Error("no such clip", name, {});
 }
@@ -74,7 +74,7 @@ AnalyzedClip with_root(AnalyzedClip clip, float speed_factor, float sideways, fl
 }
 
 TEST(probe, every_clip_alone_reads_its_own_speed_and_turn) {
-    const Character character = character_of(default_clips());
+    const Character character = character_of(synthetic_clips());
     for (std::size_t i = 0; i < character.graph.clips.size(); ++i) {
         const SteadyPlay play = play_clip(character, static_cast<int>(i));
         const PlayedFigures played = measure_play(character, play, play.velocity, play.turn);

@@ -3,7 +3,7 @@
 
 #include <surefoot/base/random.h>
 #include <surefoot/motion/stance.h>
-#include <surefoot/preset/biped.h>
+#include <surefoot/synthetic/biped.h>
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include <surefoot/preset/periodic_curve.h>
+#include <surefoot/synthetic/periodic_curve.h>
 
 #include <cassert>
 #include <cmath>

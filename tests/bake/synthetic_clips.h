@@ -3,9 +3,9 @@
 
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/author/project.h>
-#include <surefoot/preset/default_set.h>
-#include <surefoot/preset/gait_cycle.h>
 #include <surefoot/space/triangulate.h>
+#include <surefoot/synthetic/gait_cycle.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include <cmath>
 #include <vector>
@@ -13,13 +13,13 @@
 namespace surefoot::test {
 
 /// The generated set, its facts taken from the root motion it was made with.
-inline std::vector<AnalyzedClip> default_clips() {
-    const DefaultSet set = make_default_set();
+inline std::vector<AnalyzedClip> synthetic_clips() {
+    const ClipSet set = make_synthetic_set();
     std::vector<Transform> rest(set.skeleton->rest.size());
     local_to_model(*set.skeleton, set.skeleton->rest, rest);
     const Legs legs = make_legs(*set.skeleton, set.roles, rest, 0);
     std::vector<AnalyzedClip> clips;
-    const std::vector<GaitParameters> gaits = default_gaits();
+    const std::vector<GaitParameters> gaits = synthetic_gaits();
     for (const Motion& motion : set.clips) {
         AnalyzedClip clip;
         clip.motion = motion;

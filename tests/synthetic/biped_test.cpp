@@ -1,4 +1,4 @@
-#include <surefoot/preset/biped.h>
+#include <surefoot/synthetic/biped.h>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 // Perry, "Gait Analysis", 1992. The times and angles of the feet were searched so that the knee, which only follows
 // from where foot and hips are, bends over the cycle as those two measured it.
 
-#include <surefoot/preset/gait_cycle.h>
+#include <surefoot/synthetic/gait_cycle.h>
 
 #include <cmath>
 
@@ -197,7 +197,7 @@ GaitParameters turning(GaitParameters gait, float rate) {
 
 }  // namespace
 
-std::vector<GaitParameters> default_gaits() {
+std::vector<GaitParameters> synthetic_gaits() {
     std::vector<GaitParameters> gaits{idle()};
     const auto both_ways = [&](const GaitParameters& left) {
         const std::string stem = left.name.substr(0, left.name.find("_left"));

@@ -5,8 +5,8 @@
 // the feet are placed in the world, so that nothing slides, and everything else follows from where they are.
 
 #include <surefoot/motion/motion.h>
-#include <surefoot/preset/biped.h>
-#include <surefoot/preset/periodic_curve.h>
+#include <surefoot/synthetic/biped.h>
+#include <surefoot/synthetic/periodic_curve.h>
 
 #include <string>
 #include <vector>
@@ -60,7 +60,7 @@ struct GaitParameters {
 inline constexpr float k_gait_fps = 60;
 
 /// The parameters of the embedded set, in its order.
-std::vector<GaitParameters> default_gaits();
+std::vector<GaitParameters> synthetic_gaits();
 
 /// The same gait to the other side under another name.
 GaitParameters mirrored_gait(GaitParameters gait, std::string name);

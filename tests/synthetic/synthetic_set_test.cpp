@@ -1,5 +1,5 @@
-#include <surefoot/preset/default_set.h>
-#include <surefoot/preset/gait_cycle.h>
+#include <surefoot/synthetic/gait_cycle.h>
+#include <surefoot/synthetic/synthetic_set.h>
 
 #include <gtest/gtest.h>
 
@@ -15,13 +15,13 @@ constexpr float k_stature = 1.75f;
 constexpr float k_foot_length = 0.152f * k_stature;
 constexpr float k_ankle_height = 0.039f * k_stature;
 
-const DefaultSet& default_set() {
-    static const DefaultSet set = make_default_set();
+const ClipSet& synthetic_set() {
+    static const ClipSet set = make_synthetic_set();
     return set;
 }
 
 const Motion& clip(const std::string& name) {
-    for (const Motion& motion : default_set().clips)
+    for (const Motion& motion : synthetic_set().clips)
         if (motion.name == name) return motion;
     throw std::runtime_error("no clip " + name);
 }
@@ -33,7 +33,7 @@ std::vector<Transform> world(const Motion& motion, int frame) {
 }
 
 Transform joint(const std::vector<Transform>& joints, Role role) {
-    return joints[static_cast<std::size_t>(default_set().roles[role])];
+    return joints[static_cast<std::size_t>(synthetic_set().roles[role])];
 }
 
 /// Corners of the shoe: two at the heel, two at the ball, one at the toes' tip.
@@ -57,7 +57,7 @@ float knee_flexion(const std::vector<Transform>& joints, bool left) {
 
 class EveryClip : public ::testing::TestWithParam<int> {
   protected:
-    const Motion& motion() const { return default_set().clips[static_cast<std::size_t>(GetParam())]; }
+    const Motion& motion() const { return synthetic_set().clips[static_cast<std::size_t>(GetParam())]; }
 };
 
 TEST_P(EveryClip, is_a_sound_motion) { EXPECT_EQ(problem(motion()), ""); }
@@ -176,16 +176,17 @@ TEST_P(EveryClip, holds_its_head_level_and_steady) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(DefaultSet, EveryClip, ::testing::Range(0, static_cast<int>(make_default_set().clips.size())),
+INSTANTIATE_TEST_SUITE_P(SyntheticSet, EveryClip,
+                         ::testing::Range(0, static_cast<int>(make_synthetic_set().clips.size())),
                          [](const auto& info) {
-                             return default_set().clips[static_cast<std::size_t>(info.param)].name;
+                             return synthetic_set().clips[static_cast<std::size_t>(info.param)].name;
                          });
 
-TEST(DefaultSet, has_the_clips_a_locomotion_space_wants) {
+TEST(SyntheticSet, has_the_clips_a_locomotion_space_wants) {
     std::set<std::string> names;
-    for (const Motion& motion : default_set().clips) {
+    for (const Motion& motion : synthetic_set().clips) {
         EXPECT_TRUE(names.insert(motion.name).second) << motion.name;
-        EXPECT_EQ(motion.skeleton, default_set().skeleton);
+        EXPECT_EQ(motion.skeleton, synthetic_set().skeleton);
         EXPECT_EQ(motion.fps, 60);
     }
     for (const char* name :
@@ -194,7 +195,7 @@ TEST(DefaultSet, has_the_clips_a_locomotion_space_wants) {
         EXPECT_TRUE(names.count(name)) << name;
 }
 
-TEST(DefaultSet, travels_at_the_speeds_it_says) {
+TEST(SyntheticSet, travels_at_the_speeds_it_says) {
     struct Row {
         const char* name;
         float forward, lateral, turn;
@@ -223,7 +224,7 @@ TEST(DefaultSet, travels_at_the_speeds_it_says) {
     }
 }
 
-TEST(DefaultSet, mirrored_pairs_are_mirror_images_half_a_cycle_apart) {
+TEST(SyntheticSet, mirrored_pairs_are_mirror_images_half_a_cycle_apart) {
     const std::map<std::string, std::string> pairs{{"walk_left", "walk_right"},
                                                    {"jog_left", "jog_right"},
                                                    {"run_left", "run_right"},
@@ -232,7 +233,7 @@ TEST(DefaultSet, mirrored_pairs_are_mirror_images_half_a_cycle_apart) {
                                                    {"turn_left", "turn_right"},
                                                    {"walk", "walk"},
                                                    {"run", "run"}};
-    const Skeleton& skeleton = *default_set().skeleton;
+    const Skeleton& skeleton = *synthetic_set().skeleton;
     const auto other_side = [&](int j) {
         std::string name = skeleton.names[static_cast<std::size_t>(j)];
         if (name.rfind("Left", 0) == 0)
@@ -260,7 +261,7 @@ TEST(DefaultSet, mirrored_pairs_are_mirror_images_half_a_cycle_apart) {
     }
 }
 
-TEST(DefaultSet, arms_swing_against_the_legs) {
+TEST(SyntheticSet, arms_swing_against_the_legs) {
     for (const char* name : {"walk", "jog", "run"}) {
         const Motion& m = clip(name);
         float together = 0;
@@ -275,7 +276,7 @@ TEST(DefaultSet, arms_swing_against_the_legs) {
     }
 }
 
-TEST(DefaultSet, runs_fly_and_walks_do_not) {
+TEST(SyntheticSet, runs_fly_and_walks_do_not) {
     const auto share_in_the_air = [](const Motion& m) {
         int flying = 0;
         for (int f = 0; f + 1 < m.frame_count(); ++f) {
@@ -293,11 +294,11 @@ TEST(DefaultSet, runs_fly_and_walks_do_not) {
     EXPECT_GT(share_in_the_air(clip("run")), share_in_the_air(clip("jog")));
 }
 
-TEST(DefaultSet, is_the_same_every_time) {
-    const DefaultSet again = make_default_set();
+TEST(SyntheticSet, is_the_same_every_time) {
+    const ClipSet again = make_synthetic_set();
     for (std::size_t i = 0; i < again.clips.size(); ++i) {
-        EXPECT_EQ(again.clips[i].locals, default_set().clips[i].locals);
-        EXPECT_EQ(again.clips[i].root, default_set().clips[i].root);
+        EXPECT_EQ(again.clips[i].locals, synthetic_set().clips[i].locals);
+        EXPECT_EQ(again.clips[i].root, synthetic_set().clips[i].root);
     }
 }
 

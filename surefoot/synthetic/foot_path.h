@@ -2,8 +2,8 @@
 // Where a foot is at any moment of a gait's cycle: rolling over a foothold that is fixed in the world, or on its way to
 // the next one.
 
-#include <surefoot/preset/biped.h>
-#include <surefoot/preset/gait_cycle.h>
+#include <surefoot/synthetic/biped.h>
+#include <surefoot/synthetic/gait_cycle.h>
 
 namespace surefoot {
 

@@ -1,4 +1,4 @@
-#include <surefoot/preset/foot_path.h>
+#include <surefoot/synthetic/foot_path.h>
 
 #include <algorithm>
 #include <cmath>

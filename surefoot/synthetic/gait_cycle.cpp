@@ -1,5 +1,5 @@
-#include <surefoot/preset/foot_path.h>
-#include <surefoot/preset/gait_cycle.h>
+#include <surefoot/synthetic/foot_path.h>
+#include <surefoot/synthetic/gait_cycle.h>
 
 #include <algorithm>
 #include <cassert>
