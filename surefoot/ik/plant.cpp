@@ -9,12 +9,13 @@ namespace {
 // All constants below in centimetres, as tuned on the courses (docs/feet.md); the fit works in them.
 constexpr float k_cm = 100;
 constexpr int k_fit_rounds = 4;           // pitch settles within these on anything but noise
-constexpr float k_overhang = 1.12f;       // the sole counts as reaching this much of its half length behind the middle
+constexpr float k_overhang = 1.05f;       // the sole counts as reaching this much of its half length behind the middle
 constexpr float k_toe_weight = 0.35f;     // missing support under the toe tip counts less
 constexpr float k_protrusion = 3;         // ground that stands into the sole counts more than ground missing below
 constexpr float k_toe_protrusion = 0.6f;  // but less under the toes, which bend
 constexpr float k_worst_gap = 10, k_worst_wall = 10;
-constexpr float k_wall_weight = 0.05f;  // of ground just ahead of the toe or behind the heel
+constexpr float k_bearing_weight = 0.15f;  // of heel, ball and toe tip themselves: no edge may lie between them
+constexpr float k_wall_weight = 0.05f;     // of ground just ahead of the toe or behind the heel
 constexpr float k_along_scale = 6, k_across_scale = 3;
 constexpr float k_steep_deg = 35, k_steep_scale_deg = 5;
 constexpr float k_plain_cost = 0.02f;  // the ground is plain here: no search
@@ -55,7 +56,7 @@ Fit fit_plane(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundProb
 float unevenness(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundProbe& probe, const Fit& fit) noexcept {
     const float cosine = 1 / std::sqrt(1 + fit.rise_along * fit.rise_along);
     const float back = -k_overhang * foot.half_length, front = foot.tip;
-    std::array<Vec3, k_columns * k_rows + 4> places;
+    std::array<Vec3, k_columns * k_rows + 7> places;
     std::array<float, places.size()> heights, plane;
     const auto put = [&](std::size_t i, float u, float v) {
         places[i] = centre + foot.forward * u + lateral * v;
@@ -71,6 +72,10 @@ float unevenness(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundP
     put(walls + 1, (front + 0.04f) * cosine, 0);
     put(walls + 2, -(foot.half_length + 0.03f) * cosine, 0);
     put(walls + 3, -(foot.half_length + 0.06f) * cosine, 0);
+    constexpr std::size_t bearing = walls + 4;
+    put(bearing, -foot.half_length * cosine, 0);
+    put(bearing + 1, foot.half_length * cosine, 0);
+    put(bearing + 2, foot.tip * cosine, 0);
     probe.heights(places, heights);
 
     float cost = 0;
@@ -80,8 +85,10 @@ float unevenness(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundP
         cost += (toe ? k_toe_weight : 1.0f) * square(std::min(std::fabs(gap), k_worst_gap)) / walls;
         cost += k_protrusion * (toe ? k_toe_protrusion : 1.0f) * square(std::max(0.0f, gap)) / walls;
     }
-    for (std::size_t i = walls; i < places.size(); ++i)
+    for (std::size_t i = walls; i < bearing; ++i)
         cost += k_wall_weight * 0.5f * square(std::clamp((heights[i] - plane[i]) * k_cm, 0.0f, k_worst_wall));
+    for (std::size_t i = bearing; i < places.size(); ++i)
+        cost += k_bearing_weight * square(std::min(std::fabs(heights[i] - plane[i]) * k_cm, k_worst_gap));
     return cost;
 }
 

@@ -50,6 +50,19 @@ TEST(Foothold, an_edge_is_stepped_away_from) {
     EXPECT_GT(rotate(plant.tilt, k_up).y, 0.99f);  // and stands level
 }
 
+TEST(Foothold, a_foot_comes_down_whole_on_a_tread_wherever_the_clip_steps) {
+    for (const float riser : {0.17f, -0.17f}) {
+        const Stairs stairs(riser, 0.28f, 3, 20);
+        for (float z = 4; z < 4.28f; z += 0.013f) {
+            const Footprint foot = foot_at(0, z);
+            const Plant plant = find_foothold(foot, probe_of(stairs), 0.16f, 0.06f);
+            const float heel = plant.foothold.z - foot.half_length, tip = plant.foothold.z + foot.tip;
+            EXPECT_EQ(std::floor((heel - 3) / 0.28f), std::floor((tip - 3) / 0.28f)) << riser << " at " << z;
+            EXPECT_GT(rotate(plant.tilt, k_up).y, 0.999f) << riser << " at " << z;
+        }
+    }
+}
+
 TEST(GroundProbe, a_hole_answers_with_the_fallback) {
     const Plane deep(0, 0, -40);
     const GroundProbe probe{deep, 0, 1, 1, 0.25f};
