@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The main job on the built-in character: a blend space out of generated clips, its report, and a walk over hills with
+# The main job on the built-in character: a blend space out of its clips, its report, and a walk over hills with
 # the feet on the ground. Needs no clips and no network.
 #
 #   scripts/demo.sh PROGRAM OUTPUT_FOLDER

@@ -10,6 +10,7 @@
 #include <surefoot/author/rank.h>
 #include <surefoot/base/error.h>
 #include <surefoot/motion/motion.h>
+#include <surefoot/preset/default_set.h>
 #include <surefoot/probe/probe.h>
 #include <surefoot/synthetic/synthetic_set.h>
 
@@ -117,9 +118,9 @@ int run(const Options& options) {
     const auto loaded = [&] {
         return load_clips_and_gaits(options.clips, {options.unit_scale}, author.actor ? &*author.actor : nullptr);
     };
-    const AuthorResult result = options.clips.empty()
-                                    ? author_motions(make_synthetic_set().clips, options.folder, author)
-                                    : author_loaded(loaded(), options.folder, author);
+    const auto built_in = [&] { return options.synthetic ? make_synthetic_set() : make_default_set(); };
+    const AuthorResult result = options.clips.empty() ? author_motions(built_in().clips, options.folder, author)
+                                                      : author_loaded(loaded(), options.folder, author);
     for (const std::string& failure : result.failed) fmt::print(stderr, "surefoot: {}\n", failure);
     for (const std::string& warning : result.warnings) fmt::print(stderr, "surefoot: {}\n", warning);
     if (options.json) {
@@ -148,7 +149,8 @@ const Command k_author{
         auto options = std::make_shared<Options>();
         app.add_option("clips", options->clips, "files or folders of .bvh, .glb, .gltf, .fbx; FILE#NAME for one clip");
         app.add_option("-o,--output", options->folder, "folder for project.json, report.html and clips")->required();
-        app.add_flag("--default", options->use_default, "use the generated set of clips where none is given");
+        app.add_flag("--default", options->use_default,
+                     "use the built-in clips, of gaits learnt from people, where none is given");
         app.add_flag("--synthetic", options->synthetic, "use clips made from numbers alone where none is given");
         app.add_option("--axes", options->axes,
                        "axes of a space, up to four, as speed,turn or forward,lateral,style (repeatable)")

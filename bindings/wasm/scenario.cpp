@@ -10,6 +10,7 @@
 #include <surefoot/math/trig.h>
 #include <surefoot/motion/edit.h>
 #include <surefoot/motion/root_motion.h>
+#include <surefoot/preset/default_set.h>
 #include <surefoot/space/triangulate.h>
 #include <surefoot/synthetic/synthetic_set.h>
 
@@ -61,10 +62,10 @@ Motion swinging_biped(const ClipSet& set) {
     return motion;
 }
 
-/// The generated clips, every joint of every frame.
-std::uint64_t generated_scenario() {
+/// The clips of a set, every joint of every frame.
+std::uint64_t set_scenario(const ClipSet& set) {
     std::uint64_t hash = hash_bytes({});
-    for (const Motion& clip : make_synthetic_set().clips) hash = hash * 31 + hash_worlds(clip);
+    for (const Motion& clip : set.clips) hash = hash * 31 + hash_worlds(clip);
     return hash;
 }
 
@@ -125,7 +126,8 @@ std::uint64_t walk_scenario() {
 
 std::string run_scenarios() {
     std::string text;
-    text += "generated " + hex(generated_scenario()) + "\n";
+    text += "synthetic " + hex(set_scenario(make_synthetic_set())) + "\n";
+    text += "default " + hex(set_scenario(make_default_set())) + "\n";
     text += "motion " + hex(motion_scenario()) + "\n";
     text += "walk " + hex(walk_scenario()) + "\n";
     text += "space " + hex(space_scenario()) + "\n";

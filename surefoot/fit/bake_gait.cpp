@@ -9,7 +9,6 @@
 #include <cmath>
 
 namespace surefoot {
-namespace {
 
 void check_request(const HarmonicGait& gait, float speed, float turn_deg, float fps) {
     if (!(fps >= 10 && fps <= 240))
@@ -23,6 +22,8 @@ void check_request(const HarmonicGait& gait, float speed, float turn_deg, float 
         throw Error(fmt::format("{:g} deg/s is not a turn of this family", turn_deg), gait.name,
                     fmt::format("ask for {:g} to {:g} deg/s", -basis.most_turn, basis.most_turn));
 }
+
+namespace {
 
 std::string name_of(const HarmonicGait& gait, float speed, float turn_deg) {
     if (!gait.family()) return gait.name;

@@ -77,6 +77,9 @@ struct FamilyReport {
 HarmonicGait fit_family(std::span<const AnalyzedClip> clips, const FamilyOptions& options = {},
                         FamilyReport* report = nullptr);
 
+/// Throws Error where a family is asked for what lies beyond its range, or the frame rate is not 10 to 240.
+void check_request(const HarmonicGait& gait, float speed, float turn_deg, float fps);
+
 /// One cycle as a clip, from the left foot's strike on, at `fps` frames a second or little off it: a whole number of
 /// frames fills the cycle. Root motion is steady and exactly as asked; `facts` are measured from the motion, but its
 /// foot strikes are those of the gait. Throws Error where a family is asked for what lies beyond its range.

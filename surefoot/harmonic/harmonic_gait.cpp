@@ -75,21 +75,21 @@ Transform model_of(const Skeleton& skeleton, std::span<const Transform> locals, 
 
 /// How far a hip has to sink [m] so that its leg, on the way to straight, slows down softly: near straight, a
 /// centimetre of reach is worth 20 degrees of knee, and means over many strides are that far off.
-float hip_drop(Vec3 hip, Vec3 ankle, float leg) noexcept {
-    constexpr float k_free = 0.97f;  // share of the leg's length: a knee bent by 28 degrees
-    const float reach = distance(hip, ankle), limited = soft_limit(reach, leg, k_free, 0);
+float hip_drop(Vec3 hip, Vec3 ankle, float leg, float free) noexcept {
+    const float reach = distance(hip, ankle), limited = soft_limit(reach, leg, free, 0);
     if (limited >= reach) return 0;
     const float aside = planar_length(hip - ankle), height = hip.y - ankle.y;
     return std::max(0.0f, height - std::sqrt(std::max(0.0f, limited * limited - aside * aside)));
 }
 
 /// Lowers the hips as far as both legs need.
-void lower_hips(const Skeleton& skeleton, const Legs& soles, const std::array<FootGoal, 2>& feet,
+void lower_hips(const Skeleton& skeleton, const Legs& soles, const std::array<FootGoal, 2>& feet, float free,
                 std::span<Transform> locals) noexcept {
     float drop = 0;
     for (std::size_t side = 0; side < 2; ++side) {
         const Leg& leg = soles.side[side];
-        drop += hip_drop(model_of(skeleton, locals, leg.upper).translation, feet[side].foot.translation, leg.length());
+        drop += hip_drop(model_of(skeleton, locals, leg.upper).translation, feet[side].foot.translation, leg.length(),
+                         free);
     }
     const int hips = soles.hips;
     const Transform parent = model_of(skeleton, locals, skeleton.parents[at(hips)]);
@@ -323,7 +323,13 @@ void joint_pose(const HarmonicGait& gait, std::span<const float> values, std::sp
 void settle_on_feet(const Skeleton& skeleton, const Legs& soles, const LegPaths& legs, std::array<FootGoal, 2>& goals,
                     std::span<Transform> locals) noexcept {
     for (std::size_t side = 0; side < 2; ++side) bend_toes(soles.side[side], skeleton, goals[side]);
-    lower_hips(skeleton, soles, goals, locals);
+    constexpr float k_free = 0.97f;  // of means over many strides
+    stand_on_feet(skeleton, soles, legs, goals, k_free, locals);
+}
+
+void stand_on_feet(const Skeleton& skeleton, const Legs& soles, const LegPaths& legs,
+                   const std::array<FootGoal, 2>& goals, float free, std::span<Transform> locals) noexcept {
+    lower_hips(skeleton, soles, goals, free, locals);
     reach_feet(legs, goals, locals);
 }
 

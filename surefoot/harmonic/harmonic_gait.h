@@ -146,6 +146,11 @@ void joint_pose(const HarmonicGait& gait, std::span<const float> values, std::sp
 void settle_on_feet(const Skeleton& skeleton, const Legs& soles, const LegPaths& legs, std::array<FootGoal, 2>& goals,
                     std::span<Transform> locals) noexcept;
 
+/// The same for feet whose toes keep to the floor already. Up to the share `free` of its length a leg reaches as it
+/// will (0.97 is a knee bent by 28 degrees, 0.99 by 16); beyond that the hips sink more and more.
+void stand_on_feet(const Skeleton& skeleton, const Legs& soles, const LegPaths& legs,
+                   const std::array<FootGoal, 2>& goals, float free, std::span<Transform> locals) noexcept;
+
 struct HarmonicPoseOptions {
     bool feet = true;  ///< legs solved for the feet; off: the joints' series alone
 };

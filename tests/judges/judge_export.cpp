@@ -12,6 +12,7 @@
 #include <surefoot/io/gltf.h>
 #include <surefoot/io/load.h>
 #include <surefoot/mannequin/mannequin.h>
+#include <surefoot/preset/default_set.h>
 #include <surefoot/rig_text/rig_template.h>
 #include <surefoot/synthetic/synthetic_set.h>
 
@@ -125,7 +126,7 @@ int run(int argc, char** argv) {
         state_files(folder, {argv + 3, argv + argc});
         return 0;
     }
-    write_case(folder, "default", make_synthetic_set().clips);
+    write_case(folder, "default", make_default_set().clips);
     write_rig(folder, "toe_walker", {"spine=7", "fingers=1"});
     const std::vector<std::string> paths(argv + 2, argv + argc);
     LoadResult loaded = load_clips(paths);

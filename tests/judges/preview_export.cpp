@@ -14,8 +14,8 @@
 #include <surefoot/base/error.h>
 #include <surefoot/host/files.h>
 #include <surefoot/motion/motion.h>
+#include <surefoot/preset/default_set.h>
 #include <surefoot/space/slice.h>
-#include <surefoot/synthetic/synthetic_set.h>
 
 #include <nlohmann/json.hpp>
 
@@ -123,7 +123,7 @@ int run(const std::string& folder, std::vector<std::string> clips) {
     AuthorOptions options;
     if (sliced) options.axes = {"speed,turn,lateral"};
     const AuthorResult authored = wrong || sliced || clips.empty()
-                                      ? author_motions(make_synthetic_set().clips, folder, options)
+                                      ? author_motions(make_default_set().clips, folder, options)
                                       : author_clips(clips, folder);
     const Character character = bake_character(authored.project, folder);
     Json json = Json::array(), slices = Json::array();

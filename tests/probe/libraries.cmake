@@ -1,2 +1,2 @@
-# The generated default set, as a character to probe.
-target_link_libraries(test_probe PRIVATE surefoot::room_synthetic)
+# Sets of clips, as characters to probe.
+target_link_libraries(test_probe PRIVATE surefoot::room_synthetic surefoot::room_preset)

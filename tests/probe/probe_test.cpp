@@ -4,6 +4,7 @@
 #include <surefoot/base/error.h>
 #include <surefoot/base/random.h>
 #include <surefoot/host/parallel.h>
+#include <surefoot/preset/default_set.h>
 #include <surefoot/probe/played_figures.h>
 #include <surefoot/probe/probe.h>
 #include <surefoot/synthetic/synthetic_set.h>
@@ -169,6 +170,17 @@ TEST(probe, cells_cover_the_hull_and_only_the_hull_and_name_the_clips_that_make_
         }
     }
     EXPECT_TRUE(idle_found);
+}
+
+TEST(probe, blends_of_the_default_set_go_as_asked_and_do_not_slide) {
+    std::vector<AnalyzedClip> clips;
+    for (const Motion& motion : make_default_set().clips) clips.push_back(analyze_clip(motion, motion.name));
+    const ProbeResult result = probe(character_of(clips));
+    const auto mean = [&](ProbeFigure figure) { return probe_stat(result.spaces, figure).mean; };
+    EXPECT_GT(probe_stat(result.spaces, ProbeFigure::speed).cells, 100);
+    EXPECT_LE(mean(ProbeFigure::speed), 1.0);  // %
+    EXPECT_LE(mean(ProbeFigure::turn), 1.0);   // deg/s
+    EXPECT_LE(mean(ProbeFigure::skate), 2.0);  // cm/s
 }
 
 TEST(probe, the_result_is_the_same_on_any_number_of_threads) {

@@ -1,0 +1,59 @@
+#pragma once
+// A fitted gait's foot held to the floor exactly: it rolls over a foothold that is fixed in the world, about its heel
+// while the toes are up, about the toes once the heel rises, and swings as the gait has it from one to the next.
+// Private to the room.
+
+#include <surefoot/harmonic/harmonic_gait.h>
+
+namespace surefoot {
+
+class RollingFoot {
+  public:
+    /// `rhythm` in place of the gait's own. The gait's places count from `origin` in the root's frame.
+    /// A foot that `stands` never leaves the floor. All that is passed must outlive this.
+    RollingFoot(const HarmonicGait& gait, std::span<const float> values, const GaitRhythm& rhythm, std::size_t side,
+                Vec3 origin, bool stands);
+
+    /// Seen from the root, at a share [0, 1) of the foot's own cycle, 0 at its strike.
+    FootGoal at(float share) const;
+
+  private:
+    /// How a foot lies [rad]: toes up by `pitch`, then its left side up by `roll`, then turned to its left by `yaw`.
+    struct Attitude {
+        float yaw = 0, pitch = 0, roll = 0;
+    };
+    /// Yaw and place on the floor of the flat foot from which a foot has rolled.
+    struct Placed {
+        Vec3 ankle;
+        float yaw = 0;
+    };
+    struct Sole {
+        Quat foot, toes;  ///< of the foot without its yaw; of the toes in the foot
+        Vec3 ankle;       ///< from where the flat foot's ankle is over the floor; y is its height over the lowest point
+    };
+
+    Transform captured_print(float share) const;
+    Placed captured(float share) const;
+    Attitude attitude(Quat rotation) const;
+    float pitch(float share) const;
+    float toe_bend(float share) const;
+    float roll(float share) const;
+    Sole rolled(float share) const;
+    Placed held(float share) const;
+    Placed swinging(float share) const;
+    RootFrame moved(float share) const;
+
+    const HarmonicGait& gait_;
+    std::span<const float> values_;
+    const GaitRhythm& rhythm_;
+    std::size_t side_;
+    const Leg& leg_;
+    Vec3 origin_;
+    bool stands_;
+    Quat flat_, toes_flat_;
+    Vec3 toes_;  ///< of the toe joint in the foot, or the ball
+    FootStep step_;
+    RootFrame foothold_;  ///< as seen from the root in the middle of the stance
+};
+
+}  // namespace surefoot
