@@ -33,7 +33,7 @@ struct Options {
     std::string out, metrics, filmstrip, style;
     std::vector<std::string> set;
     float grade = 15, speed = 1.4f, seconds = 10;
-    bool json = false, all = false, transitions = false, reverse = false;
+    bool json = false, all = false, transitions = false, reverse = false, keep_pace = false;
     CLI::Option* given_speed = nullptr;
 };
 
@@ -228,7 +228,8 @@ void walk_all(const Options& options, Walking& walking) {
     for (const std::string& name : course_names()) {
         const WalkInfo info = info_of(options, walking.name, name);
         const Course course = make_course(name, options.grade, options.reverse);
-        const WalkComparison walks = compare_modes(*walking.walker, *course.ground, options.speed, options.seconds);
+        const WalkComparison walks =
+            compare_modes(*walking.walker, *course.ground, options.speed, options.seconds, !options.keep_pace);
         json += (name == course_names().front() ? "" : ",\n") + metrics_json(info, walks);
         if (!options.json) fmt::print("{}\n", metrics_table(info, walks));
     }
@@ -264,7 +265,8 @@ int run(Options options) {
         return 0;
     }
     const WalkInfo info = info_of(options, walking.name, options.course);
-    const WalkComparison walks = compare_modes(*walking.walker, *course.ground, options.speed, options.seconds);
+    const WalkComparison walks =
+        compare_modes(*walking.walker, *course.ground, options.speed, options.seconds, !options.keep_pace);
     const std::string json = metrics_json(info, walks);
     if (options.json)
         fmt::print("{}", json);
@@ -312,6 +314,8 @@ const Command k_walk{
             ->check(CLI::Range(0.5, 3600.0))
             ->check(is_number)
             ->capture_default_str();
+        app.add_flag("--keep-pace", options->keep_pace,
+                     "Keep the speed asked for even where the ground is too steep for such steps");
         app.add_option("--style", options->style, "NAME or NAME=WEIGHT (0 to 1): a style of the project");
         app.add_option("--ik", options->ik, "Foot placement of the written scene and filmstrip")
             ->check(CLI::IsMember({"none", "colvin2013", "surefoot"}))

@@ -45,6 +45,10 @@ class CharacterWalker final : public Walker {
         now_.go(character_.graph, wanted(), dt);
         foresight_.begin(now_);
     }
+    void limit_speed(float mps) noexcept override {
+        limit_ = mps;
+        foresight_.begin(now_);
+    }
     RootFrame requested() const noexcept override { return now_.requested; }
     /// What comes is foreseen from what is asked for now: no later leg of the path is known.
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
@@ -59,7 +63,7 @@ class CharacterWalker final : public Walker {
     LocomotionRequest wanted() const noexcept {
         LocomotionRequest wanted = asked_;
         const PathLeg& leg = clock_.leg(path_);
-        wanted.speed = leg.goes ? asked_.speed : 0;
+        wanted.speed = leg.goes ? std::clamp(asked_.speed, -limit_, limit_) : 0;
         wanted.turn = leg.turn;
         return wanted;
     }
@@ -68,6 +72,7 @@ class CharacterWalker final : public Walker {
     LocomotionRequest asked_;
     std::vector<PathLeg> path_;
     PathClock clock_;
+    float limit_ = k_no_speed_limit;  // [m/s]
     Going now_;
     mutable Foresight<Going> foresight_;
 };

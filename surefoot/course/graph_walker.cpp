@@ -49,6 +49,11 @@ class GraphWalker final : public Walker {
         go(now_, dt, true);
         foresight_.begin(now_);
     }
+    void limit_speed(float mps) noexcept override {
+        limit_ = mps;
+        steer();
+        foresight_.begin(now_);
+    }
     RootFrame requested() const noexcept override { return now_.requested; }
     /// States stay as they are and parameters go where they are going: no later leg of the path is known.
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
@@ -61,7 +66,7 @@ class GraphWalker final : public Walker {
   private:
     void steer() noexcept {
         const PathLeg& leg = clock_.leg(path_);
-        set(program_, now_.state, speed_, leg.goes ? asked_speed_ : 0.0f);
+        set(program_, now_.state, speed_, leg.goes ? std::clamp(asked_speed_, -limit_, limit_) : 0.0f);
         set(program_, now_.state, turn_, leg.turn);
     }
     void go(Going& going, float dt, bool decide) const noexcept {
@@ -84,7 +89,7 @@ class GraphWalker final : public Walker {
     mutable GraphScratch scratch_;
     mutable GraphFrame frame_;
     int speed_, turn_;
-    float asked_speed_ = 0;
+    float asked_speed_ = 0, limit_ = k_no_speed_limit;  // [m/s]
     PathClock clock_;
     Going now_;
     mutable Foresight<Going> foresight_;

@@ -1,6 +1,8 @@
 #include <surefoot/base/error.h>
 #include <surefoot/course/live_play.h>
 
+#include <algorithm>
+
 namespace surefoot {
 namespace {
 
@@ -23,6 +25,7 @@ class LiveWalker final : public Walker {
         clock_.advance(path_, dt);
         root_ = root_ * update(rig_, state_, wanted(), dt).root_delta;
     }
+    void limit_speed(float mps) noexcept override { limit_ = mps; }
     /// Live gaits glide to what they are asked for, and the glide is what there is to obey.
     RootFrame requested() const noexcept override { return root_; }
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
@@ -35,7 +38,7 @@ class LiveWalker final : public Walker {
     LiveRequest wanted() const noexcept {
         LiveRequest wanted = going_;
         const PathLeg& leg = clock_.leg(path_);
-        wanted.speed = leg.goes ? going_.speed : 0;
+        wanted.speed = leg.goes ? std::clamp(going_.speed, -limit_, limit_) : 0;
         wanted.turn = leg.turn;
         return wanted;
     }
@@ -48,6 +51,7 @@ class LiveWalker final : public Walker {
     LiveState state_;
     RootFrame root_;
     PathClock clock_;
+    float limit_ = k_no_speed_limit;  // [m/s]
 };
 
 }  // namespace

@@ -86,15 +86,19 @@ std::unique_ptr<Walker> make_clip_walker(const Motion& clip, const Legs& legs) {
     return std::make_unique<ClipWalker>(clip, legs);
 }
 
-Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request) {
+Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request, const std::vector<float>* speed_limit) {
     constexpr float k_longest = 3600;  // [s]
     if (!(request.seconds > 0 && request.seconds <= k_longest))
         throw Error("a walk lasts more than 0 and at most 3600 seconds", "walk", "");
     const int frames = static_cast<int>(std::lround(request.seconds * k_walk_fps)) + 1;
+    if (speed_limit && speed_limit->size() != static_cast<std::size_t>(frames))
+        throw Error("a walk needs one speed limit a frame", "walk", "");
     FootSettings settings;
     settings.mode = request.mode;
+    settings.limit_pace = request.limit_pace;
     const FootRig rig = make_foot_rig(*walker.skeleton(), walker.legs(), walker.standing(), settings);
     const WalkerPreview preview(walker, rig);
+    walker.limit_speed(k_no_speed_limit);
     walker.start(request.speed_mps);
 
     Walked walked;
@@ -116,22 +120,26 @@ Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request) {
         input.legs = read_legs(rig, models);
         place_feet(rig, state, input, ground, &preview, output);
         apply(rig, output, models, locals);
+        walked.speed_limit.push_back(speed_limit ? (*speed_limit)[static_cast<std::size_t>(f)] : output.speed_limit);
+        walker.limit_speed(walked.speed_limit.back());
         for (std::size_t side = 0; side < 2; ++side) walked.planted[side].push_back(output.planted[side]);
     }
     walked.plans = state.plans;
     return walked;
 }
 
-WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds) {
+WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds, bool limit_pace) {
     WalkComparison result;
     result.legs = walker.legs();
-    WalkRequest request{speed_mps, seconds, FootMode::surefoot};
-    for (const FootMode mode : {FootMode::none, FootMode::colvin2013, FootMode::surefoot}) {
+    WalkRequest request{speed_mps, seconds, FootMode::surefoot, limit_pace};
+    Walked& ours = result.walked[static_cast<std::size_t>(FootMode::surefoot)];
+    ours = walk(walker, ground, request);
+    for (const FootMode mode : {FootMode::none, FootMode::colvin2013}) {
         request.mode = mode;
-        result.walked[static_cast<std::size_t>(mode)] = walk(walker, ground, request);
+        result.walked[static_cast<std::size_t>(mode)] = walk(walker, ground, request, &ours.speed_limit);
     }
     request.mode = FootMode::none;
-    result.twin = walk(walker, Plane(), request);
+    result.twin = walk(walker, Plane(), request, &ours.speed_limit);
     const WalkTrack twin = make_track(result.twin.motion, walker.legs());
     for (std::size_t i = 0; i < result.walked.size(); ++i)
         result.metrics[i] = measure_walk(make_track(result.walked[i].motion, walker.legs()), twin, ground,

@@ -31,6 +31,8 @@ class Walker {
     /// Back to the start: the root at the origin facing +Z, already walking straight ahead.
     virtual void start(float speed_mps) = 0;
     virtual void advance(float dt) noexcept = 0;
+    /// From now on it goes no faster, whatever is asked for [m/s]. What cannot be steered does not heed it.
+    virtual void limit_speed(float /*mps*/) noexcept {}
     /// Where the root would be had it obeyed exactly.
     virtual RootFrame requested() const noexcept = 0;
     /// The root in the world (y = 0) and the pose, `ahead` >= 0 seconds from now if nothing else is asked for.
@@ -62,24 +64,31 @@ struct WalkRequest {
     float speed_mps = 1.4f;
     float seconds = 10;
     FootMode mode = FootMode::surefoot;
+    bool limit_pace = true;  ///< the walker goes no faster than foot placement says (FootOutput::speed_limit)
 };
 
 struct Walked {
     Motion motion;                             ///< in the world, at k_walk_fps: root frames and placed poses
     std::vector<RootFrame> requested;          ///< one a frame: the root, had it obeyed exactly
     std::array<std::vector<bool>, 2> planted;  ///< by Side, one a frame: stands, says foot placement
+    std::vector<float> speed_limit;            ///< [m/s] one a frame, said to the walker after that frame
     int plans = 0;                             ///< how often foot placement planned
 };
 
-Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request);
+/// `speed_limit`, where it is given, is said to the walker instead of foot placement's own, frame by frame: the same
+/// way with the same timing over other ground.
+Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request,
+            const std::vector<float>* speed_limit = nullptr);
 
-/// The same walk in all three modes, and on flat ground un-placed (the twin), measured.
+/// The same walk in all three modes, and on flat ground un-placed (the twin), measured. All keep to the pace at which
+/// mode surefoot is walked.
 struct WalkComparison {
     std::array<Walked, 3> walked;        ///< by FootMode
     std::array<WalkMetrics, 3> metrics;  ///< by FootMode
     Walked twin;
     Legs legs;
 };
-WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds);
+WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds,
+                             bool limit_pace = true);
 
 }  // namespace surefoot

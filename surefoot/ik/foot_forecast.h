@@ -62,6 +62,11 @@ PlacedFoot place_foot(const FootState& foot, double clock, const LegPoints& poin
 /// Its parts: the blend of two plants with the heel's rise, and what replanning left over.
 PlacedFoot blend_plants(const FootState& foot, double clock, const LegPoints& points, const Leg& leg) noexcept;
 Vec3 fade_offset(const FootState& foot, double clock) noexcept;
+Vec3 swing_shift(const FootState& foot, float share) noexcept;
+
+/// Plans how a foot that has a swing before it clears the ground: its hump, and its shifts along the way.
+void plan_clearance(const FootRig& rig, FootState& foot, std::size_t side, const GroundProbe& probe,
+                    const Forecast& forecast) noexcept;
 
 /// Plans both feet and the hips for the coming second.
 void plan_feet(const FootRig& rig, FootPlacementState& state, const GroundProbe& probe,

@@ -1,4 +1,5 @@
 #include <surefoot/ik/foot_forecast.h>
+#include <surefoot/ik/pace.h>
 #include <surefoot/ik/two_bone.h>
 
 #include <algorithm>
@@ -143,9 +144,11 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
         }
     }
     if (plan) plan_feet(rig, state, probe, preview);
+    if (rig.settings.limit_pace) keep_pace(rig, state, input, probe, preview);
 
     const float hips = state.base.value + state.limiter.at(state.clock);
     output = {};
+    output.speed_limit = state.pace.limit;
     output.moves_legs = true;
     output.hips_offset = hips - input.root.position.y;
     for (std::size_t side = 0; side < 2; ++side) {

@@ -44,6 +44,7 @@ struct FootSettings {
     float search_across = 0.06f;  ///< [m] and to its sides
     float ground_up = 1.5f;       ///< [m] how far above and below the root's height ground is looked for
     float ground_down = 2.5f;
+    bool limit_pace = true;  ///< see FootOutput::speed_limit
 };
 
 /// Model-space joints of one leg, and the world rotations its local rotations are relative to.
@@ -94,6 +95,7 @@ struct FootState {
     double lift = 0, strike = 0;  ///< [s] on the state's clock: the coming or running swing
     double hump_from = 0;         ///< [s] when `hump` begins: the lift, or a replanning in mid-swing
     Hump hump;
+    Vec3 shift_early, shift_late;  ///< [m] level: how far the swing goes out of the way of edges, at most
     /// How far the heel rises about the ball before it lifts, where the leg would be too short [rad]; and when [s].
     float rise = 0;
     double rise_from = 0, rise_peak = 0, rise_until = 0;
@@ -105,6 +107,17 @@ struct FootState {
     Vec3 fade_turn;               ///< [rad] rotation vector
 };
 
+inline constexpr float k_no_speed_limit = 1e6f;  ///< [m/s]
+
+/// What foot placement remembers of how fast the ground ahead lets the character go.
+struct PaceState {
+    float limit = k_no_speed_limit;  ///< [m/s] handed to steering
+    float from = 0;                  ///< [m/s] from which it slows down
+    float cadence = 2;               ///< [1/s] steps
+    double next_look = 0;            ///< [s] on the state's clock
+    double held_until = 0;           ///< [s] before then the limit does not rise
+};
+
 /// A character's feet. As constructed it is "not started"; a teleport goes back to that.
 struct FootPlacementState {
     double clock = 0;       ///< [s] since the start
@@ -114,6 +127,7 @@ struct FootPlacementState {
     FootholdLine line;
     HeightSpring base;  ///< of the hips, before the legs' reach
     HipLimiter limiter;
+    PaceState pace;
     std::int32_t plans = 0;  ///< how often it planned: for tests and profiles
     bool started = false;
 };
@@ -135,6 +149,10 @@ struct FootOutput {
     bool moves_legs = false;          ///< false: the legs stay as they were, `leg` is not set
     std::array<bool, 2> planted{};    ///< stands on its foothold
     std::array<bool, 2> pulled_in{};  ///< could not reach its target
+    /// [m/s] Steer no faster: steps that fit the stairs or the slope ahead. Longer ones would fold a knee too far, and
+    /// that only steering can mend. It is said in good time to slow down and may step: ease what you ask for as you do
+    /// a stick (`approach`), in what LegPreview foresees, too. Mode surefoot only.
+    float speed_limit = k_no_speed_limit;
 };
 
 /// One frame. `preview` may be null for the modes none and colvin2013.

@@ -1,6 +1,7 @@
 // Planning: once a step, footholds and swings; with them, how far the hips must give way.
 
 #include <surefoot/ik/foot_forecast.h>
+#include <surefoot/ik/pace.h>
 
 #include <algorithm>
 
@@ -10,13 +11,10 @@ namespace {
 constexpr int k_standing_samples = 5;       // a stance that begins this soon is the one the foot is in
 constexpr double k_same_strike = 0.05;      // [s] a coming foothold that moved less than this
 constexpr float k_same_place = 0.02f;       // [m] and this is kept: replanning for noise costs smoothness
+constexpr float k_no_move = 0.003f;         // [m] less is none
 constexpr float k_flicker = 0.08f;          // [m] a contact this near the plant just left is its end, not a landing
 constexpr double k_longest_passing = 0.35;  // [s] after the strike, where the root's passing is not in sight
 constexpr double k_plan_interval = 0.5;     // [s] plan at least this often; the forecast reaches 0.35 s farther
-constexpr float k_path_margin = 0.02f;      // [m] ground this far ahead of and behind a swinging point counts
-constexpr float k_toe_bend = 0.01f;         // [m] toes that are down bend out of the way by this much
-constexpr float k_toe_down = 0.005f;        // [m]
-constexpr int k_ramp = 3;                   // samples over which the path margin comes in after lift and before strike
 constexpr float k_least_leg = 0.5f;      // share of its length to which the hips will fold a leg to reach, no further
 constexpr float k_uneven_rise = 0.02f;   // [m] from one foothold to the next, from which ground counts as uneven
 constexpr float k_uneven_tilt = 0.013f;  // sine of half the tilt: 1.5 degrees
@@ -50,8 +48,7 @@ class Planner {
     void plan_swing(std::size_t side, const ContactRun& landing) noexcept;
     void replan_swing(std::size_t side) noexcept;
     void join(std::size_t side, const FootState& before) noexcept;
-    void clear_ground(std::size_t side) noexcept;
-    float needed(const LegPoints& points, const PlacedFoot& placed, Vec3 margin) const noexcept;
+    void clear_ground(std::size_t side) noexcept { plan_clearance(rig_, state_.feet[side], side, probe_, forecast_); }
     void plan_line() noexcept;
     float shortfall(std::size_t side, int sample) const noexcept;
     float least_shortfall(std::size_t side, double from, double until) const noexcept;
@@ -107,6 +104,7 @@ void Planner::plan_stance(std::size_t side) noexcept {
     plan_swing(side, runs[static_cast<std::size_t>(landing)]);
     foot.hump_from = foot.lift;
     foot.hump = {};
+    foot.shift_early = foot.shift_late = {};
     if (foot.lift <= state_.clock) join(side, before);
     clear_ground(side);
 }
@@ -135,11 +133,16 @@ void Planner::replan_swing(std::size_t side) noexcept {
     const Footprint foot_there = forecast_.footprint(side, run, leg_length(side));
     const bool same = std::fabs(forecast_.time(run.first) - foot.strike) < k_same_strike &&
                       planar_length(foot_there.centre - foot.next.centre) < k_same_place;
-    if (same) return;
-
     const FootState before = foot;
-    const double share = (now - foot.lift) / (foot.strike - foot.lift);
+    if (same && planar_length(foot_there.centre - foot.next.centre) < k_no_move) return;
     plan_swing(side, run);
+    // A foot that comes from a little elsewhere keeps a foothold that was sought out.
+    if (same && planar_length(before.next.foothold - before.next.centre) > k_no_move) {
+        const Vec3 centre = foot.next.centre;
+        foot.next = before.next;
+        foot.next.centre = centre;
+    }
+    const double share = (now - before.lift) / (before.strike - before.lift);
     // The same share of the new swing has passed.
     foot.lift = now - share * (foot.strike - now) / std::max(1 - share, 0.05);
     join(side, before);
@@ -162,46 +165,6 @@ void Planner::join(std::size_t side, const FootState& before) noexcept {
     foot.fade_turn = to_rotation_vector(was.tilt * conjugate(is.tilt));
     foot.hump.start_value = offset.y;
     foot.hump.start_slope = rate.y * static_cast<float>(foot.strike - now);
-}
-
-/// Least height of the ankle above its height in the clip so that heel, ball and toe tip clear the ground.
-float Planner::needed(const LegPoints& points, const PlacedFoot& placed, Vec3 margin) const noexcept {
-    const std::array<Vec3, 3> soles{points.heel, points.ball, points.toe_tip};
-    float need = -1e3f;
-    for (std::size_t k = 0; k < soles.size(); ++k) {
-        const Vec3 arm = rotate(placed.tilt, soles[k] - points.ankle), place = placed.ankle + arm;
-        const std::array<Vec3, 3> under{place, place + margin, place - margin};
-        std::array<float, 3> heights;
-        probe_.heights(under, heights);
-        const float ground = std::max({heights[0], heights[1], heights[2]});
-        float own = std::min(rig_.settings.swing_clearance, soles[k].y);
-        if (own < 0) own *= 1 - placed.uneven;
-        float least = ground + own - (points.ankle.y + arm.y);
-        if (k == 2 && soles[k].y < k_toe_down) least -= k_toe_bend;
-        need = std::max(need, least);
-    }
-    return need;
-}
-
-void Planner::clear_ground(std::size_t side) noexcept {
-    FootState& foot = state_.feet[side];
-    const double from = foot.hump_from, length = foot.strike - from;
-    const Vec3 travel = normalized(foot.next.centre - foot.plant.centre, {0, 0, 0});
-    HumpTask task;
-    for (int j = -1; j <= k_hump_samples; ++j) {
-        const double clock = from + length * static_cast<double>(j) / (k_hump_samples - 1);
-        const LegPoints points = forecast_.at(side, clock);
-        PlacedFoot placed = blend_plants(foot, clock, points, leg(side));
-        task.base[static_cast<std::size_t>(j + 1)] = placed.ankle.y - points.ankle.y;
-        if (j < 0 || j == k_hump_samples) continue;
-        placed.ankle += fade_offset(foot, clock);
-        const int from_end = std::min(j, k_hump_samples - 1 - j);
-        const float margin = k_path_margin * std::min(1.0f, static_cast<float>(from_end) / k_ramp);
-        task.need[static_cast<std::size_t>(j)] = needed(points, placed, travel * margin);
-    }
-    task.start_value = foot.hump.start_value;
-    task.start_slope = foot.hump.start_slope;
-    foot.hump = rig_.solver->solve(task);
 }
 
 /// The footholds around now, by the time the root passes over them.
@@ -321,6 +284,7 @@ void plan_feet(const FootRig& rig, FootPlacementState& state, const GroundProbe&
                const LegPreview& preview) noexcept {
     Forecast forecast;
     look_ahead(rig, state.clock, preview, forecast);
+    measure_cadence(state.pace, forecast);
     if (!state.started)
         for (FootState& foot : state.feet) foot.plant.foothold.y = probe.fallback;
     Planner planner(rig, state, probe, forecast);

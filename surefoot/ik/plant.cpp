@@ -9,7 +9,8 @@ namespace {
 // All constants below in centimetres, as tuned on the courses (docs/feet.md); the fit works in them.
 constexpr float k_cm = 100;
 constexpr int k_fit_rounds = 4;           // pitch settles within these on anything but noise
-constexpr float k_overhang = 1.05f;       // the sole counts as reaching this much of its half length behind the middle
+constexpr float k_overhang = 1.08f;       // the sole counts as reaching this much of its half length behind the middle
+constexpr float k_round_ends = 0.5f;      // heels and tips are round: so much narrower than the foot
 constexpr float k_toe_weight = 0.35f;     // missing support under the toe tip counts less
 constexpr float k_protrusion = 3;         // ground that stands into the sole counts more than ground missing below
 constexpr float k_toe_protrusion = 0.6f;  // but less under the toes, which bend
@@ -63,10 +64,12 @@ float unevenness(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundP
         plane[i] = fit.height + u * fit.rise_along + v * fit.rise_across;
     };
     for (int i = 0; i < k_columns; ++i)
-        for (int j = 0; j < k_rows; ++j)
+        for (int j = 0; j < k_rows; ++j) {
+            const float width = foot.half_width * (i == 0 || i == k_columns - 1 ? k_round_ends : 1.0f);
             put(static_cast<std::size_t>(i * k_rows + j),
                 (back + (front - back) * static_cast<float>(i) / (k_columns - 1)) * cosine,
-                foot.half_width * static_cast<float>(j - 1));
+                width * static_cast<float>(j - 1));
+        }
     constexpr std::size_t walls = k_columns * k_rows;
     put(walls, (front + 0.02f) * cosine, 0);
     put(walls + 1, (front + 0.04f) * cosine, 0);
@@ -152,7 +155,7 @@ Plant find_foothold(const Footprint& foot, const GroundProbe& probe, float along
         if (fit.cost < best.cost - 1e-6f) best = fit, u = try_u, v = try_v;
     };
     if (best.cost > k_plain_cost && along > 0) {
-        constexpr int coarse = 4, sides = 2;
+        constexpr int coarse = 8, sides = 2;  // 2 cm: a foot just fits a tread, and the place must not be missed
         for (int i = -coarse; i <= coarse; ++i)
             for (int j = -sides; j <= sides; ++j)
                 if (i || j) consider(along * static_cast<float>(i) / coarse, across * static_cast<float>(j) / sides);

@@ -112,6 +112,40 @@ TEST(Path, curving_over_hills_feet_stand_as_they_do_going_straight) {
     EXPECT_LT(ours.skate_cm_s, c.metrics[0].skate_cm_s + 0.5);
 }
 
+TEST(Pace, stairs_are_taken_in_steps_that_fit_them_and_without_the_limit_knees_fold) {
+    for (const char* name : {"stairs_up", "stairs_down"}) {
+        const Course stairs = make_course(name);
+        const auto walker = make_character_walker(character());
+        const WalkComparison limited = compare_modes(*walker, *stairs.ground, 1.4f, 16);
+        const WalkComparison unlimited = compare_modes(*walker, *stairs.ground, 1.4f, 16, false);
+        const std::vector<float>& limits = limited.walked[2].speed_limit;
+        EXPECT_EQ(limits.front(), k_no_speed_limit);
+        EXPECT_LT(*std::min_element(limits.begin(), limits.end()), 0.9f) << name;
+        EXPECT_EQ(limits.back(), k_no_speed_limit) << "the stairs are behind";
+        EXPECT_GT(limited.metrics[2].knee_min_deg, 40) << name;
+        EXPECT_LT(limited.metrics[2].float_mean_cm, 0.1) << name;
+        EXPECT_LT(limited.metrics[2].penetration_max_cm, 1) << name;
+        EXPECT_LT(unlimited.metrics[2].knee_min_deg, 40) << name;
+        EXPECT_EQ(unlimited.walked[2].speed_limit, std::vector<float>(limits.size(), k_no_speed_limit));
+        // Every row goes the same way at the same time.
+        for (const WalkComparison* walks : {&limited, &unlimited})
+            for (const Walked& row : walks->walked)
+                EXPECT_EQ(row.motion.root.back().position.z, walks->twin.motion.root.back().position.z);
+        EXPECT_LT(limited.metrics[2].drift_m, 0.01) << "what is asked for is what steering was told";
+    }
+}
+
+TEST(Pace, ground_that_bears_long_steps_holds_nobody_back) {
+    for (const char* name :
+         {"flat", "hills", "slope_up", "slope_down", "cross_slope", "ledge", "rubble", "curb_oblique"})
+        for (const float speed : {0.8f, 1.4f, 2.5f}) {
+            const auto walker = make_character_walker(character());
+            const Walked walked = walk(*walker, *make_course(name).ground, {speed, 8, FootMode::surefoot});
+            EXPECT_EQ(walked.speed_limit, std::vector<float>(walked.speed_limit.size(), k_no_speed_limit))
+                << name << " at " << speed;
+        }
+}
+
 TEST(Course, reversed_it_is_the_same_ground_from_its_far_end) {
     for (const std::string& name : course_names()) {
         const Course there = make_course(name), back = make_course(name, 15, true);
