@@ -14,6 +14,7 @@ constexpr float k_rough = 0.05f;              // [m] of a jump between two place
 constexpr float k_braking = 1.8f;             // [m/s^2] at which steering may be expected to slow down
 constexpr float k_usual = 1.5f;               // [m/s] ground that this speed must brake for counts for slower ones, too
 constexpr float k_slowest = 0.3f;             // [m/s] no ground is a reason to go more slowly than this
+constexpr int k_shortest_step = 14;           // samples of the forecast: 0.23 s
 constexpr float k_new_share = 0.4f;           // of a new measurement of the cadence
 constexpr float k_ahead = 0.3f;               // [s] over which the root shows its way
 constexpr double k_hold = 0.7;                // [s] at least, before a limit is lifted
@@ -65,7 +66,7 @@ void measure_cadence(PaceState& pace, const Forecast& forecast) noexcept {
             first = std::min(first, strike);
             last = std::max(last, strike);
         }
-    if (strikes < 2 || last <= first) return;
+    if (strikes < 2 || last - first < k_shortest_step * (strikes - 1)) return;  // feet that stop come down together
     const float measured = static_cast<float>((strikes - 1) * Forecast::k_rate) / static_cast<float>(last - first);
     pace.cadence += k_new_share * (measured - pace.cadence);
 }
