@@ -8,7 +8,7 @@ namespace surefoot {
 namespace {
 
 constexpr double k_check_interval = 1.0 / 15;  // [s] how often a coming foothold is looked at again
-constexpr float k_moved = 0.02f;               // [m] by which steering must have moved it to plan anew
+constexpr float k_moved = 0.006f;              // [m] by which steering must have moved it to plan anew
 constexpr float k_too_late = 0.06f;            // [s] before a strike nothing is planned anew
 constexpr float k_spring_step = 1.0f / 60;     // [s] the forecast's step: longer frames are cut into such
 
