@@ -195,7 +195,7 @@ int bake(const Options& options) {
                        skate_text(skate));
             clips.push_back(as_clip(std::move(baked)));
         }
-    write_clip_file(clips, options.out);
+    write_clip_file(clips, options.out, {{}, true, gait.soles});
     return 0;
 }
 

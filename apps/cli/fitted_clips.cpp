@@ -147,8 +147,8 @@ int play_fitted(const PlayFitted& play) {
         return 0;
     }
     check_clip_output(play.out);
-    AnalyzedClip baked =
-        bake_fitted(play.gait, play.speed, play.turn, {fitted_style(play.personality, play.set), play.slope, play.fps});
+    AnalyzedClip baked = bake_fitted(play.gait, play.speed, play.turn,
+                                     {fitted_style(play.personality, play.set), play.slope, play.fps, !play.as_fitted});
     if (!play.personality.empty())
         baked.motion.name = baked.facts.name += "_" + play.personality.substr(play.personality.rfind('#') + 1);
     fmt::print(stderr, "{}: {:.3f} m/s, {:.1f} deg/s, {}\n", baked.facts.name, baked.facts.speed, baked.facts.turn,
@@ -159,7 +159,8 @@ int play_fitted(const PlayFitted& play) {
     }
     if (play.cycles > 1)
         baked.motion = concatenate(std::vector<Motion>(static_cast<std::size_t>(play.cycles), baked.motion));
-    write_clip_file({as_clip(std::move(baked))}, play.out);
+    const Legs legs = baked.legs;
+    write_clip_file({as_clip(std::move(baked))}, play.out, {{}, true, legs});
     return 0;
 }
 

@@ -42,6 +42,7 @@ struct PlayFitted {
     std::vector<std::string> roles;    ///< of the rig's joints, by hand
     float fps = 60;
     int cycles = 1;
+    bool as_fitted = false;  ///< feet as the series have them, sliding where they do
     bool json = false;
 };
 

@@ -29,7 +29,7 @@ struct Options {
     std::vector<std::string> set, roles;
     GaitMoments moments;
     GaitPlay play;
-    bool check = false, json = false;
+    bool check = false, as_fitted = false, json = false;
     CLI::Option *speed = nullptr, *turn = nullptr;  // whether they were given
 };
 
@@ -98,6 +98,7 @@ void bake(const Gait& gait, const std::vector<double>& values, const Options& op
 int run_fitted(const Options& options) {
     PlayFitted play;
     play.gait = options.gait, play.out = options.out, play.json = options.json;
+    play.as_fitted = options.as_fitted;
     play.fps = static_cast<float>(options.play.fps), play.cycles = options.play.cycles;
     if (options.rig != "default") play.rig = options.rig;
     play.roles = options.roles;
@@ -148,6 +149,8 @@ const Command k_gait{
         app.add_option(
             "--personality", options->personality,
             "Of a fitted gait: tired, proud, sneaky, drunk, elderly, or FILE.json#NAME; -p sets its sliders");
+        app.add_flag("--as-fitted", options->as_fitted,
+                     "Of a fitted gait: feet as its series have them, not held to the floor");
         app.add_option("-p,--set", options->set, "Set a parameter, name=value (may be repeated)")
             ->type_name("NAME=VALUE")
             ->allow_extra_args(false);

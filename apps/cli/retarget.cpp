@@ -44,7 +44,7 @@ int run(const Options& options) {
                                 motion.joint_count(), reports[i].scale);
         clips[i].extras = edited_extras(clips[i].extras.empty() ? "{}" : clips[i].extras, done);
     });
-    write_clip_file(clips, options.out);
+    write_clip_file(clips, options.out, {{}, true, target.body.legs});
     fmt::print(stderr, "{} {} retargeted to {}: legs, and with them speeds, are {:.3g} times those of the source\n",
                clips.size(), clips.size() == 1 ? "clip" : "clips", options.to, reports.front().scale);
     return 0;

@@ -1,12 +1,14 @@
 #include <surefoot/analysis/measure.h>
 #include <surefoot/base/error.h>
 #include <surefoot/fit/fit_gait.h>
+#include <surefoot/fit/rolling_foot.h>
 #include <surefoot/graph/locomotion.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace surefoot {
 
@@ -67,11 +69,18 @@ AnalyzedClip bake_gait(const HarmonicGait& gait, float speed, float turn_deg, co
     Motion& motion = clip.motion = make_motion(gait.skeleton, name_of(gait, speed, turn_deg), steps + 1,
                                                static_cast<float>(steps) * rhythm.frequency);
     motion.cyclic = true;
+    std::optional<GroundedBody> grounded;
+    if (options.grounded && options.slope_deg == 0 && gait.basis.climb == 0 && gait.legs.count > 0)
+        grounded.emplace(gait, values, rhythm);
     for (int f = 0; f <= steps; ++f) {
         const float share = static_cast<float>(f) / static_cast<float>(steps);
         motion.root[static_cast<std::size_t>(f)] =
             integrate(rhythm.velocity, rhythm.turn_rate, share / rhythm.frequency);
-        pose(gait, values, f == steps ? 0.0f : phase_of(rhythm, share), motion.frame(f));
+        const float phase = f == steps ? 0.0f : phase_of(rhythm, share);
+        if (grounded)
+            grounded->pose(phase, motion.frame(f));
+        else
+            pose(gait, values, phase, motion.frame(f));
     }
     std::vector<Transform> models(gait.skeleton->rest.size());
     local_to_model(*gait.skeleton, motion.frame(0), models);

@@ -90,6 +90,9 @@ struct BakeOptions {
     GaitStyle style;
     float slope_deg = 0;
     float fps = 60;
+    /// Feet are held to the floor exactly, as grounded_cycle.h does, instead of as near as the series keep them. Means
+    /// nothing on slopes and stairs, and of a gait without feet.
+    bool grounded = false;
 };
 AnalyzedClip bake_gait(const HarmonicGait& gait, float speed, float turn_deg, const BakeOptions& options);
 

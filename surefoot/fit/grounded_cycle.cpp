@@ -12,7 +12,6 @@ namespace surefoot {
 namespace {
 
 constexpr float k_fps = 60;
-constexpr float k_free = 0.985f;  // share of its length to which a leg reaches freely: a knee bent by 20 degrees
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -39,26 +38,17 @@ Motion grounded_cycle(const HarmonicGait& gait, float speed, float turn_deg, con
     values_at(gait, speed, turn_deg, values);
     apply_style(gait, make_style_body(gait), style, values);
     GaitRhythm rhythm = rhythm_of(gait, values);
-    const bool stands = foot_speed(rhythm.velocity, rhythm.turn_rate) < 0.01f;
     const int frames = std::max(8, 2 * static_cast<int>(0.5f * k_fps / rhythm.frequency + 0.5f));
     rhythm.frequency = k_fps / static_cast<float>(frames);
     rhythm.right_strike = 0.5f;
     const Vec3 origin = mean_hips(gait, values, frames);
-    const RollingFoot left(gait, values, rhythm, 0, origin, stands), right(gait, values, rhythm, 1, origin, stands);
+    const GroundedBody body(gait, values, rhythm, origin);
     Motion motion = make_motion(gait.skeleton, gait.name, frames + 1, k_fps);
     motion.cyclic = true;
-    const std::size_t top = at(gait.moving.empty() ? 0 : gait.moving.front());
     for (int f = 0; f <= frames; ++f) {
-        const float phase = static_cast<float>(f % frames) / static_cast<float>(frames);
-        const auto locals = motion.frame(f);
-        joint_pose(gait, values, {}, {&phase, 1}, locals);
-        locals[top].translation = locals[top].translation - origin;
-        std::array<FootGoal, 2> feet{left.at(phase), right.at(phase < 0.5f ? phase + 0.5f : phase - 0.5f)};
-        stand_on_feet(*gait.skeleton, gait.soles, gait.legs, feet, k_free, locals);
+        body.pose(static_cast<float>(f % frames) / static_cast<float>(frames), motion.frame(f));
         motion.root[at(f)] = integrate(rhythm.velocity, rhythm.turn_rate, static_cast<float>(f) / k_fps);
     }
-    const auto first = motion.frame(0);
-    std::copy(first.begin(), first.end(), motion.frame(frames).begin());
     return motion;
 }
 

@@ -13,6 +13,7 @@ constexpr Vec3 k_x{1, 0, 0}, k_y{0, 1, 0}, k_z{0, 0, 1};
 constexpr float k_flat = 0.11f;       // [rad] a foot that is pitched by less means to lie flat
 constexpr float k_clear = 0.012f;     // [m] of a sole in the middle of its swing, at least
 constexpr float k_half_width = 0.2f;  // of a sole's length
+constexpr float k_still = 0.01f;      // [m/s] who goes slower stands
 constexpr float k_step = 1e-3f;       // of the cycle, for slopes
 
 float smooth(float t) { return t * t * (3 - 2 * t); }
@@ -46,14 +47,14 @@ Quat flat_rotation(const Leg& leg) {
 }  // namespace
 
 RollingFoot::RollingFoot(const HarmonicGait& gait, std::span<const float> values, const GaitRhythm& rhythm,
-                         std::size_t side, Vec3 origin, bool stands)
+                         std::size_t side, Vec3 origin)
     : gait_(gait),
       values_(values),
       rhythm_(rhythm),
       side_(side),
       leg_(gait.soles.side[side]),
       origin_(origin),
-      stands_(stands),
+      stands_(foot_speed(rhythm.velocity, rhythm.turn_rate) < k_still),
       flat_(flat_rotation(leg_)),
       toes_(leg_.ball),
       step_(step_of(rhythm, side)) {
@@ -65,10 +66,10 @@ RollingFoot::RollingFoot(const HarmonicGait& gait, std::span<const float> values
     // The foothold is where the flat foot would be, in the mean over the middle of the stance.
     constexpr int k_samples = 16;
     constexpr float k_edge = 0.15f;
-    const float stance = stands ? 1.0f : step_.lift;
+    const float stance = stands_ ? 1.0f : step_.lift;
     for (int i = 0; i < k_samples; ++i) {
         const float within = (static_cast<float>(i) + 0.5f) / k_samples;
-        const float share = stance * (stands ? within : k_edge + (1 - 2 * k_edge) * within);
+        const float share = stance * (stands_ ? within : k_edge + (1 - 2 * k_edge) * within);
         const Transform print = captured_print(share);
         const float yaw = attitude(print.rotation).yaw;
         const Vec3 place = print.translation - rotate(from_yaw(yaw), rolled(share).ankle);
@@ -94,9 +95,15 @@ RollingFoot::Attitude RollingFoot::attitude(Quat rotation) const {
     return {yaw, atan2(ahead.y, ahead.z), roll};
 }
 
+/// Time [s] since the strike.
+float RollingFoot::elapsed(float share) const {
+    const float strike = side_ == 0 ? 0.0f : 0.5f;
+    return (time_share(rhythm_, strike + share) - time_share(rhythm_, strike)) / rhythm_.frequency;
+}
+
 /// The root's move since the middle of the stance; in the swing it goes over to that to the middle of the next.
 RootFrame RollingFoot::moved(float share) const {
-    return integrate(rhythm_.velocity, rhythm_.turn_rate, foot_age(step_, step_, share * step_.duration));
+    return integrate(rhythm_.velocity, rhythm_.turn_rate, foot_age(step_, step_, elapsed(share)));
 }
 
 RollingFoot::Placed RollingFoot::captured(float share) const {
@@ -143,7 +150,7 @@ RollingFoot::Sole RollingFoot::rolled(float share) const {
 }
 
 RollingFoot::Placed RollingFoot::held(float share) const {
-    const float seconds = stands_ ? 0 : share * step_.duration - 0.5f * step_.stance;
+    const float seconds = stands_ ? 0 : elapsed(share) - 0.5f * step_.stance;
     const RootFrame root = integrate(rhythm_.velocity, rhythm_.turn_rate, seconds);
     const RootFrame flat = surefoot::between(root, foothold_);
     return {transform_point(to_transform(flat), rolled(share).ankle), flat.yaw};
@@ -181,6 +188,24 @@ FootGoal RollingFoot::at(float share) const {
     const Placed placed = stands_ || share <= step_.lift ? held(share) : swinging(share);
     const Sole sole = rolled(share);
     return {{normalized(from_yaw(placed.yaw) * sole.foot), placed.ankle}, sole.toes};
+}
+
+GroundedBody::GroundedBody(const HarmonicGait& gait, std::span<const float> values, const GaitRhythm& rhythm,
+                           Vec3 origin)
+    : gait_(gait),
+      values_(values),
+      origin_(origin),
+      feet_{RollingFoot(gait, values, rhythm, 0, origin), RollingFoot(gait, values, rhythm, 1, origin)} {}
+
+void GroundedBody::pose(float phase, std::span<Transform> locals) const {
+    constexpr float k_free = 0.985f;  // share of its length to which a leg reaches freely: a knee bent by 20 degrees
+    joint_pose(gait_, values_, {}, {&phase, 1}, locals);
+    if (!gait_.moving.empty()) {
+        Vec3& top = locals[static_cast<std::size_t>(gait_.moving.front())].translation;
+        top = top - origin_;
+    }
+    const std::array<FootGoal, 2> goals{feet_[0].at(phase), feet_[1].at(phase < 0.5f ? phase + 0.5f : phase - 0.5f)};
+    stand_on_feet(*gait_.skeleton, gait_.soles, gait_.legs, goals, k_free, locals);
 }
 
 }  // namespace surefoot

@@ -9,10 +9,10 @@ namespace surefoot {
 
 class RollingFoot {
   public:
-    /// `rhythm` in place of the gait's own. The gait's places count from `origin` in the root's frame.
-    /// A foot that `stands` never leaves the floor. All that is passed must outlive this.
+    /// `rhythm` in place of the gait's own; one that goes nowhere keeps both feet on the floor throughout. The gait's
+    /// places count from `origin` in the root's frame. All that is passed must outlive this.
     RollingFoot(const HarmonicGait& gait, std::span<const float> values, const GaitRhythm& rhythm, std::size_t side,
-                Vec3 origin, bool stands);
+                Vec3 origin);
 
     /// Seen from the root, at a share [0, 1) of the foot's own cycle, 0 at its strike.
     FootGoal at(float share) const;
@@ -41,6 +41,7 @@ class RollingFoot {
     Sole rolled(float share) const;
     Placed held(float share) const;
     Placed swinging(float share) const;
+    float elapsed(float share) const;
     RootFrame moved(float share) const;
 
     const HarmonicGait& gait_;
@@ -54,6 +55,22 @@ class RollingFoot {
     Vec3 toes_;  ///< of the toe joint in the foot, or the ball
     FootStep step_;
     RootFrame foothold_;  ///< as seen from the root in the middle of the stance
+};
+
+/// A gait's body over such feet.
+class GroundedBody {
+  public:
+    /// As RollingFoot; the gait needs feet and level ground.
+    GroundedBody(const HarmonicGait& gait, std::span<const float> values, const GaitRhythm& rhythm, Vec3 origin = {});
+
+    /// The local pose at a phase in [0, 1).
+    void pose(float phase, std::span<Transform> locals) const;
+
+  private:
+    const HarmonicGait& gait_;
+    std::span<const float> values_;
+    Vec3 origin_;
+    std::array<RollingFoot, 2> feet_;
 };
 
 }  // namespace surefoot

@@ -1,5 +1,6 @@
 #include <surefoot/analysis/leg_track.h>
 #include <surefoot/author/fitted_gaits.h>
+#include <surefoot/author/personalities.h>
 #include <surefoot/base/error.h>
 #include <surefoot/fit/fit_gait.h>
 #include <surefoot/fit/grounded_cycle.h>
@@ -139,6 +140,38 @@ TEST(GroundedCycle, strides_may_be_longer_at_the_same_speed) {
     const Motion own = grounded_cycle(gait, 3, 0), styled = grounded_cycle(gait, 3, 0, longer);
     EXPECT_NEAR(styled.duration() / own.duration(), 1.2f, 0.04f);
     EXPECT_LT(on_floor(styled, gait.soles).skate_cm_s, 0.2f);
+}
+
+TEST(GroundedCycle, bakes_of_personalities_keep_to_the_floor_and_their_rhythm) {
+    const HarmonicGait gait = fitted_gait("human");
+    for (const Personality& personality : bundled_personalities())
+        for (const float speed : {0.5f, 1.0f, 1.5f, 3.0f}) {
+            SCOPED_TRACE(testing::Message() << personality.name << " " << speed);
+            BakeOptions options{personality.style};
+            const AnalyzedClip own = bake_gait(gait, speed, 20, options);
+            options.grounded = true;
+            const AnalyzedClip clip = bake_gait(gait, speed, 20, options);
+            const OnFloor found = on_floor(clip.motion, clip.legs), before = on_floor(own.motion, own.legs);
+            EXPECT_GT(found.lowest, -1e-4f);
+            EXPECT_LT(before.lowest, -2e-3f);  // what holding them is for
+            EXPECT_LT(found.skate_cm_s, 0.2f);
+            EXPECT_GT(found.knee_deg, 5);
+            EXPECT_EQ(clip.motion.root, own.motion.root);
+            ASSERT_EQ(clip.facts.events.size(), own.facts.events.size());
+            for (std::size_t e = 0; e < own.facts.events.size(); ++e)
+                EXPECT_EQ(clip.facts.events[e].time, own.facts.events[e].time);
+        }
+}
+
+TEST(GroundedCycle, bakes_on_slopes_and_stairs_are_the_gait_s_own) {
+    for (const float slope : {0.0f, 8.0f}) {
+        const HarmonicGait gait = fitted_gait(slope == 0 ? "stairs_up" : "walk");
+        BakeOptions options;
+        options.slope_deg = slope;
+        const AnalyzedClip own = bake_gait(gait, 0.6f, 0, options);
+        options.grounded = true;
+        EXPECT_EQ(bake_gait(gait, 0.6f, 0, options).motion.locals, own.motion.locals);
+    }
 }
 
 TEST(GroundedCycle, what_it_cannot_do_is_said) {
