@@ -10,7 +10,9 @@ namespace {
 constexpr double k_check_interval = 1.0 / 15;  // [s] how often a coming foothold is looked at again
 constexpr float k_moved = 0.006f;              // [m] by which steering must have moved it to plan anew
 constexpr float k_too_late = 0.06f;            // [s] before a strike nothing is planned anew
-constexpr float k_spring_step = 1.0f / 60;     // [s] the forecast's step: longer frames are cut into such
+constexpr float k_fade_stiffness = 20;      // [1/s] of the spring on the weight: nine tenths within a fifth of a second
+constexpr float k_faded = 2e-3f;            // as good as there: half a millimetre of a foot 25 cm off
+constexpr float k_spring_step = 1.0f / 60;  // [s] the forecast's step: longer frames are cut into such
 
 GroundProbe probe_for(const FootRig& rig, const FootInput& input, const Ground& ground) noexcept {
     GroundProbe probe{ground, input.root.position.y, rig.settings.ground_up, rig.settings.ground_down,
@@ -111,6 +113,13 @@ bool steered_away(const FootRig& rig, const FootPlacementState& state, const Leg
     return false;
 }
 
+/// All but how much it applies.
+void forget(FootPlacementState& state) noexcept {
+    const HeightSpring weight = state.weight;
+    state = {};
+    state.weight = weight;
+}
+
 void advance(const FootRig& rig, FootPlacementState& state, float dt) noexcept {
     const float stiffness = rig.settings.hip_stiffness;
     const double lead = 2.0 / static_cast<double>(stiffness);
@@ -125,7 +134,7 @@ void advance(const FootRig& rig, FootPlacementState& state, float dt) noexcept {
 
 void place_planned(const FootRig& rig, FootPlacementState& state, const FootInput& input, const GroundProbe& probe,
                    const LegPreview& preview, FootOutput& output) noexcept {
-    if (input.teleport) state = {};
+    if (input.teleport) forget(state);
     bool plan = !state.started;
     if (!plan) {
         advance(rig, state, std::max(input.dt, 0.0f));
@@ -228,18 +237,60 @@ LegsPose read_legs(const FootRig& rig, std::span<const Transform> models) noexce
     return pose;
 }
 
+namespace {
+
+/// The weight asked for, eased.
+float ease_weight(FootPlacementState& state, const FootInput& input) noexcept {
+    const float wanted = std::clamp(input.weight, 0.0f, 1.0f);
+    if (state.weight.value < 0 || input.teleport)
+        state.weight = {wanted, 0};
+    else
+        state.weight.step(wanted, k_fade_stiffness, std::max(input.dt, 0.0f));
+    if (std::fabs(state.weight.value - wanted) < k_faded) state.weight = {wanted, 0};
+    return state.weight.value;
+}
+
+/// From the clip's own pose to the placed one.
+void fade(const FootRig& rig, const FootInput& input, float weight, FootOutput& output) noexcept {
+    output.hips_offset *= weight;
+    for (std::size_t side = 0; output.moves_legs && side < 2; ++side) {
+        const WorldLeg leg = world_leg(rig.legs.side[side], input.legs.side[side], input.root);
+        const FootOutput::LegRotations own = to_locals(leg, {}, {}, {}, {});
+        FootOutput::LegRotations& placed = output.leg[side];
+        for (Quat FootOutput::LegRotations::*joint :
+             {&FootOutput::LegRotations::upper, &FootOutput::LegRotations::lower, &FootOutput::LegRotations::foot,
+              &FootOutput::LegRotations::toes})
+            placed.*joint = slerp(own.*joint, placed.*joint, weight);
+        output.planted[side] = output.planted[side] && weight > 0.5f;
+    }
+}
+
+}  // namespace
+
 void place_feet(const FootRig& rig, FootPlacementState& state, const FootInput& input, const Ground& ground,
                 const LegPreview* preview, FootOutput& output) noexcept {
+    const float weight = ease_weight(state, input);
+    if (weight == 0) {  // in the air: footholds are sought anew when feet come down
+        forget(state);
+        output = {};
+        return;
+    }
     const GroundProbe probe = probe_for(rig, input, ground);
     switch (rig.settings.mode) {
         case FootMode::none:
-            return place_root(input, probe, output);
+            place_root(input, probe, output);
+            break;
         case FootMode::colvin2013:
-            return place_colvin(rig, input, probe, output);
+            place_colvin(rig, input, probe, output);
+            break;
         case FootMode::surefoot:
-            if (!preview) return place_colvin(rig, input, probe, output);
-            return place_planned(rig, state, input, probe, *preview, output);
+            if (preview)
+                place_planned(rig, state, input, probe, *preview, output);
+            else
+                place_colvin(rig, input, probe, output);
+            break;
     }
+    if (weight < 1) fade(rig, input, weight, output);
 }
 
 void apply(const FootRig& rig, const FootOutput& output, std::span<const Transform> models,

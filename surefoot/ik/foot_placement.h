@@ -128,15 +128,19 @@ struct FootPlacementState {
     HeightSpring base;  ///< of the hips, before the legs' reach
     HipLimiter limiter;
     PaceState pace;
-    std::int32_t plans = 0;  ///< how often it planned: for tests and profiles
+    HeightSpring weight{-1, 0};  ///< of all this, eased; -1: not known yet
+    std::int32_t plans = 0;      ///< how often it planned: for tests and profiles
     bool started = false;
 };
 static_assert(std::is_trivially_copyable_v<FootPlacementState>);
 
 struct FootInput {
-    float dt = 0;           ///< [s] since the last call; 0 at the first
-    RootFrame root;         ///< world; y is where ground is looked for, and what hips_offset is relative to
-    LegsPose legs;          ///< un-placed
+    float dt = 0;    ///< [s] since the last call; 0 at the first
+    RootFrame root;  ///< world; y is where ground is looked for, and what hips_offset is relative to
+    LegsPose legs;   ///< un-placed
+    /// [0, 1] how much of foot placement shall apply; 0 for jumps and falls. It may step: feet let go and are taken up
+    /// again smoothly, within 0.4 s. At 0 the pose is the clip's, at the root's own height.
+    float weight = 1;
     bool teleport = false;  ///< forget everything: the character was moved by hand
 };
 

@@ -146,7 +146,9 @@ struct ByHand {
         if (dt > 0) walker.advance(dt);
         FootInput input;
         input.dt = dt;
+        input.weight = weight;
         walker.look(0, input.root, locals);
+        input.root.position.y = root_height;
         local_to_model(*walker.skeleton(), locals, models);
         input.legs = read_legs(rig, models);
         Preview preview;
@@ -163,7 +165,28 @@ struct ByHand {
     FootRig rig;
     FootPlacementState state;
     FootOutput output;
+    float weight = 1, root_height = 0;
     std::vector<Transform> locals, models;
+};
+
+/// A walker on hills that jumps: for half a second its feet are let go, and its root flies 40 cm high.
+struct Jumping {
+    ByHand hand;
+    std::vector<std::array<Vec3, 2>> ankles;
+    explicit Jumping(Walker& walker, const Ground& ground, bool jumps) : hand(walker) {
+        constexpr int k_take_off = 70, k_landing = 100;
+        for (int f = 0; f < 200; ++f) {
+            const float z = static_cast<float>(f) * 1.4f / 60;
+            const float t = static_cast<float>(f - k_take_off) / (k_landing - k_take_off);
+            hand.root_height = height_at(ground, 0, z);
+            hand.weight = jumps && t > 0 && t < 1 ? 0.0f : 1.0f;
+            if (hand.weight == 0) hand.root_height += 1.6f * t * (1 - t);
+            hand.frame(f ? 1.0f / 60 : 0, ground);
+            ankles.push_back({hand.ankle(0), hand.ankle(1)});
+            if (jumps && f == k_landing - 1) air = hand.output;
+        }
+    }
+    FootOutput air;
 };
 
 TEST(FootPlacement, other_frame_rates_give_the_same_walk) {
@@ -215,6 +238,52 @@ TEST(FootPlacement, without_ground_or_across_a_hitch_nothing_breaks) {
             hand.frame(dt, Nothing());
             for (const Transform& t : hand.models) ASSERT_TRUE(is_finite(t.translation) && is_finite(t.rotation));
         }
+    }
+}
+
+TEST(FootPlacement, feet_are_let_go_for_a_jump_and_taken_up_again_without_a_pop) {
+    const Course hills = make_course("hills");
+    const auto walker = make_clip_walker(clip_named("walk"), default_legs());
+    const Jumping jump(*walker, *hills.ground, true);
+    walker->start(1.4f);
+    const Jumping stays(*walker, *hills.ground, false);
+    // In the air the pose is the clip's.
+    EXPECT_FALSE(jump.air.moves_legs);
+    EXPECT_EQ(jump.air.hips_offset, 0);
+    EXPECT_EQ(jump.air.speed_limit, k_no_speed_limit);
+    // A second after the landing the jump is forgotten.
+    for (std::size_t f = 160; f < 200; ++f)
+        for (std::size_t side = 0; side < 2; ++side)
+            EXPECT_LT(distance(jump.ankles[f][side], stays.ankles[f][side]), 0.02f) << f;
+    // Neither then nor between is there a jerk that steps do not have, the take-off and landing of the root apart.
+    const auto kink = [](const Jumping& walk, std::size_t f, std::size_t side) {
+        return length(walk.ankles[f][side] - 2.0f * walk.ankles[f - 1][side] + walk.ankles[f - 2][side]);
+    };
+    float usual = 0, worst = 0;
+    for (std::size_t f = 2; f < 200; ++f)
+        for (std::size_t side = 0; side < 2; ++side) {
+            usual = std::max(usual, kink(stays, f, side));
+            worst = std::max(worst, kink(jump, f, side));
+        }
+    EXPECT_LT(worst, 2 * usual + 0.01f) << usual;
+}
+
+TEST(FootPlacement, a_weight_that_steps_fades_evenly) {
+    const Course hills = make_course("hills");
+    const auto walker = make_clip_walker(clip_named("walk"), default_legs());
+    ByHand hand(*walker);
+    std::vector<float> offsets;
+    for (int f = 0; f < 120; ++f) {
+        hand.weight = f < 40 ? 1.0f : f < 80 ? 0.0f : 1.0f;
+        hand.frame(f ? 1.0f / 60 : 0, Plane(0, 0, 0.2f));  // the root stays at 0: all of 20 cm is foot placement's
+        offsets.push_back(hand.output.hips_offset);
+    }
+    EXPECT_NEAR(offsets[39], 0.2f, 0.02f);
+    EXPECT_EQ(offsets[79], 0);
+    EXPECT_NEAR(offsets[119], 0.2f, 0.02f);
+    for (std::size_t f = 2; f < offsets.size(); ++f) {
+        EXPECT_LT(std::fabs(offsets[f] - offsets[f - 1]), 0.035f) << f;
+        EXPECT_LT(std::fabs(offsets[f] - 2 * offsets[f - 1] + offsets[f - 2]), 0.015f) << f;
     }
 }
 
