@@ -1,5 +1,6 @@
 #include <surefoot/course/walk.h>
 #include <surefoot/ground/shapes.h>
+#include <surefoot/motion/edit.h>
 #include <surefoot/synthetic/synthetic_set.h>
 
 #include <gtest/gtest.h>
@@ -47,6 +48,44 @@ TEST(Walk, flat_ground_leaves_every_clip_unchanged) {
         EXPECT_LT(largest_difference(twin.motion, walk(*walker, flat, {0, 5, FootMode::colvin2013}).motion), 1e-3f)
             << name;
     }
+}
+
+/// A ground seen in a mirror.
+class Mirrored final : public Ground {
+  public:
+    explicit Mirrored(const Ground& ground) : ground_(ground) {}
+    void query(std::span<const GroundQuery> queries, std::span<GroundHit> hits) const noexcept override {
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            GroundQuery query = queries[i];
+            query.origin.x = -query.origin.x;
+            ground_.query({&query, 1}, {&hits[i], 1});
+            hits[i].normal.x = -hits[i].normal.x;
+        }
+    }
+
+  private:
+    const Ground& ground_;
+};
+
+TEST(Walk, a_mirrored_walk_over_mirrored_ground_is_the_mirrored_walk) {
+    const ClipSet set = make_synthetic_set();
+    std::vector<Transform> standing(set.skeleton->rest.size());
+    local_to_model(*set.skeleton, set.skeleton->rest, standing);
+    const Legs legs = make_legs(*set.skeleton, set.roles, standing, 0);
+    for (const char* clip_name : {"walk", "walk_left"})
+        for (const char* course : {"hills", "cross_slope", "stairs_up", "stairs_down", "curb_oblique", "rubble"}) {
+            const Motion* clip = nullptr;
+            for (const Motion& each : set.clips)
+                if (each.name == clip_name) clip = &each;
+            ASSERT_TRUE(clip);
+            const std::shared_ptr<const Ground> ground = make_course(course).ground;
+            const auto there = make_clip_walker(*clip, legs), back = make_clip_walker(mirror(*clip, set.roles), legs);
+            const Walked one = walk(*there, *ground, {1.2f, 10, FootMode::surefoot});
+            const Walked other = walk(*back, Mirrored(*ground), {1.2f, 10, FootMode::surefoot});
+            EXPECT_LT(largest_difference(mirror(one.motion, set.roles), other.motion), 1e-3f)
+                << clip_name << " on " << course;
+            for (std::size_t side = 0; side < 2; ++side) EXPECT_EQ(one.planted[side], other.planted[1 - side]);
+        }
 }
 
 TEST(Walk, on_hills_feet_stand_on_the_ground) {
