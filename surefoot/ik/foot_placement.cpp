@@ -1,6 +1,7 @@
 #include <surefoot/ik/foot_forecast.h>
 #include <surefoot/ik/pace.h>
 #include <surefoot/ik/two_bone.h>
+#include <surefoot/math/trig.h>
 
 #include <algorithm>
 
@@ -10,9 +11,11 @@ namespace {
 constexpr double k_check_interval = 1.0 / 15;  // [s] how often a coming foothold is looked at again
 constexpr float k_moved = 0.006f;              // [m] by which steering must have moved it to plan anew
 constexpr float k_too_late = 0.06f;            // [s] before a strike nothing is planned anew
-constexpr float k_fade_stiffness = 20;      // [1/s] of the spring on the weight: nine tenths within a fifth of a second
-constexpr float k_faded = 2e-3f;            // as good as there: half a millimetre of a foot 25 cm off
-constexpr float k_spring_step = 1.0f / 60;  // [s] the forecast's step: longer frames are cut into such
+constexpr float k_fade_stiffness = 20;  // [1/s] of the spring on the weight: nine tenths within a fifth of a second
+constexpr float k_faded = 2e-3f;        // as good as there: half a millimetre of a foot 25 cm off
+constexpr float k_flat = 0.035f, k_most_drift = 0.1f;  // of the leg's length
+constexpr float k_hold = 12;                           // [1/s]
+constexpr float k_spring_step = 1.0f / 60;             // [s] the forecast's step: longer frames are cut into such
 
 GroundProbe probe_for(const FootRig& rig, const FootInput& input, const Ground& ground) noexcept {
     GroundProbe probe{ground, input.root.position.y, rig.settings.ground_up, rig.settings.ground_down,
@@ -132,6 +135,16 @@ void advance(const FootRig& rig, FootPlacementState& state, float dt) noexcept {
     }
 }
 
+/// A foot that stands flat on a foothold that was sought out stays there though the clip's own foot drifts, as it does
+/// where a walk is blended with a stand: there may be no room beside it.
+void hold(FootState& foot, const LegPoints& points, float leg_length, float dt) noexcept {
+    const float low = k_flat * leg_length;
+    if (!is_sought_out(foot.plant) || points.heel.y > low || points.ball.y > low) return;
+    const Vec3 drift = (points.heel + points.ball) * 0.5f - foot.plant.centre;
+    if (planar_length(drift) > k_most_drift * leg_length) return;
+    foot.plant.centre += Vec3{drift.x, 0, drift.z} * (1 - exp(-k_hold * dt));
+}
+
 void place_planned(const FootRig& rig, FootPlacementState& state, const FootInput& input, const GroundProbe& probe,
                    const LegPreview& preview, FootOutput& output) noexcept {
     if (input.teleport) forget(state);
@@ -162,7 +175,9 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
     output.hips_offset = hips - input.root.position.y;
     for (std::size_t side = 0; side < 2; ++side) {
         const WorldLeg leg = world_leg(rig.legs.side[side], input.legs.side[side], input.root);
-        const FootState& foot = state.feet[side];
+        FootState& foot = state.feet[side];
+        output.planted[side] = !foot.has_next || state.clock < foot.lift;
+        if (output.planted[side]) hold(foot, leg.points, rig.legs.side[side].length(), std::max(input.dt, 0.0f));
         const PlacedFoot placed = place_foot(foot, state.clock, leg.points, rig.legs.side[side]);
         TwoBone in;
         in.hip = leg.points.hip + k_up * hips;
@@ -174,7 +189,6 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
         const Quat bend = rig.legs.side[side].toes == k_no_joint ? Quat{} : bend_toes(leg, placed, solved.ankle, probe);
         output.leg[side] = to_locals(leg, solved.upper, solved.lower, placed.tilt, bend * placed.toes_tilt);
         output.pulled_in[side] = solved.pulled_in;
-        output.planted[side] = !foot.has_next || state.clock < foot.lift;
     }
 }
 

@@ -12,6 +12,7 @@ constexpr int k_standing_samples = 5;       // a stance that begins this soon is
 constexpr double k_same_strike = 0.05;      // [s] a coming foothold that moved less than this
 constexpr float k_same_place = 0.02f;       // [m] and this is kept: replanning for noise costs smoothness
 constexpr float k_no_move = 0.003f;         // [m] less is none
+constexpr double k_late = 0.3;              // [s] before the strike: no other foothold is sought out
 constexpr float k_flicker = 0.08f;          // [m] a contact this near the plant just left is its end, not a landing
 constexpr double k_longest_passing = 0.35;  // [s] after the strike, where the root's passing is not in sight
 constexpr double k_plan_interval = 0.5;     // [s] plan at least this often; the forecast reaches 0.35 s farther
@@ -136,8 +137,10 @@ void Planner::replan_swing(std::size_t side) noexcept {
     const FootState before = foot;
     if (same && planar_length(foot_there.centre - foot.next.centre) < k_no_move) return;
     plan_swing(side, run);
-    // A foot that comes from a little elsewhere keeps a foothold that was sought out.
-    if (same && planar_length(before.next.foothold - before.next.centre) > k_no_move) {
+    // A foot that comes from a little elsewhere, or is nearly there, keeps a foothold that was sought out.
+    const bool late = foot.strike - now < k_late &&
+                      planar_length(foot.next.centre - before.next.foothold) < rig_.settings.search_along;
+    if ((same || late) && is_sought_out(before.next)) {
         const Vec3 centre = foot.next.centre;
         foot.next = before.next;
         foot.next.centre = centre;

@@ -24,6 +24,12 @@ struct Plant {
 /// Where a plant puts a point. The lever is free up to about 0.3 of `leg_length` and ends at 0.47 of it.
 Vec3 planted(const Plant& plant, Vec3 point, float leg_length) noexcept;
 
+/// True where the foothold is not where the clip steps.
+inline bool is_sought_out(const Plant& plant) noexcept {
+    constexpr float k_same = 0.003f;  // [m]
+    return planar_length(plant.foothold - plant.centre) > k_same;
+}
+
 /// Looks down at the ground from a given level; where there is none it answers with that level.
 struct GroundProbe {
     const Ground& ground;
