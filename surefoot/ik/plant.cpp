@@ -9,7 +9,7 @@ namespace {
 // All constants below in centimetres, as tuned on the courses (docs/feet.md); the fit works in them.
 constexpr float k_cm = 100;
 constexpr int k_fit_rounds = 4;           // pitch settles within these on anything but noise
-constexpr float k_overhang = 1.08f;       // the sole counts as reaching this much of its half length behind the middle
+constexpr float k_overhang = 1.06f;       // the sole counts as reaching this much of its half length behind the middle
 constexpr float k_round_ends = 0.5f;      // heels and tips are round: so much narrower than the foot
 constexpr float k_toe_weight = 0.35f;     // missing support under the toe tip counts less
 constexpr float k_protrusion = 3;         // ground that stands into the sole counts more than ground missing below
@@ -19,6 +19,8 @@ constexpr float k_bearing_weight = 0.15f;  // of heel, ball and toe tip themselv
 constexpr float k_wall_weight = 0.05f;     // of ground just ahead of the toe or behind the heel
 constexpr float k_along_scale = 6, k_across_scale = 3;
 constexpr float k_steep_deg = 35, k_steep_scale_deg = 5;
+constexpr float k_edge = 0.02f;        // [m] of a jump in height within half a centimetre
+constexpr float k_room = 0.015f;       // [m] to keep from an edge, where there is room
 constexpr float k_plain_cost = 0.02f;  // the ground is plain here: no search
 constexpr int k_columns = 9, k_rows = 3;
 
@@ -105,6 +107,30 @@ Fit judge(const Footprint& foot, float along, float across, const GroundProbe& p
     return fit;
 }
 
+/// Where between edges across the way a whole foot has room: calls `take` with how far it must move along for each.
+template <typename Take>
+void between_edges(const Footprint& foot, const GroundProbe& probe, float along, const Take& take) noexcept {
+    constexpr int k_places = 2 * static_cast<int>(GroundProbe::k_batch);
+    const float back = -along - foot.half_length, front = along + foot.tip;
+    const float spacing = (front - back) / (k_places - 1);
+    std::array<Vec3, GroundProbe::k_batch> places;
+    std::array<float, k_places> heights;
+    const auto at = [&](int i) { return back + spacing * static_cast<float>(i); };
+    for (int first = 0; first < k_places; first += static_cast<int>(places.size())) {
+        for (std::size_t i = 0; i < places.size(); ++i)
+            places[i] = foot.centre + foot.forward * at(first + static_cast<int>(i));
+        probe.heights(places, {heights.data() + first, places.size()});
+    }
+    for (int first = 0, i = 1; i <= k_places; ++i) {
+        const auto n = static_cast<std::size_t>(i);
+        if (i < k_places && std::fabs(heights[n] - heights[n - 1]) < k_edge) continue;
+        const float least = at(first) + foot.half_length, most = at(i - 1) - foot.tip;
+        const float margin = std::min(k_room, 0.5f * (most - least));
+        if (margin >= 0) take(std::clamp(0.0f, least + margin, most - margin));
+        first = i;
+    }
+}
+
 }  // namespace
 
 float GroundProbe::height(float x, float z) const noexcept {
@@ -155,11 +181,13 @@ Plant find_foothold(const Footprint& foot, const GroundProbe& probe, float along
         if (fit.cost < best.cost - 1e-6f) best = fit, u = try_u, v = try_v;
     };
     if (best.cost > k_plain_cost && along > 0) {
-        constexpr int coarse = 8, sides = 2;  // 2 cm: a foot just fits a tread, and the place must not be missed
+        // A foot just fits a tread: the place is looked for by itself.
+        between_edges(foot, probe, along, [&](float there) { consider(there, 0); });
+        constexpr int coarse = 8, sides = 2;
         for (int i = -coarse; i <= coarse; ++i)
             for (int j = -sides; j <= sides; ++j)
                 if (i || j) consider(along * static_cast<float>(i) / coarse, across * static_cast<float>(j) / sides);
-        for (float step = along / coarse / 2; step > 0.008f; step *= 0.5f) {
+        for (float step = along / coarse / 2; step > 0.004f; step *= 0.5f) {
             const float middle = u;
             consider(middle - step, v);
             consider(middle + step, v);
