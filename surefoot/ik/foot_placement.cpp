@@ -1,5 +1,6 @@
 #include <surefoot/ik/foot_forecast.h>
 #include <surefoot/ik/pace.h>
+#include <surefoot/ik/ride.h>
 #include <surefoot/ik/two_bone.h>
 #include <surefoot/math/trig.h>
 
@@ -150,6 +151,7 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
     if (input.teleport) forget(state);
     bool plan = !state.started;
     if (!plan) {
+        ride(state, probe, std::max(input.dt, 0.0f));
         advance(rig, state, std::max(input.dt, 0.0f));
         for (FootState& foot : state.feet)
             if (foot.has_next && state.clock >= foot.strike) {
@@ -190,6 +192,7 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
         output.leg[side] = to_locals(leg, solved.upper, solved.lower, placed.tilt, bend * placed.toes_tilt);
         output.pulled_in[side] = solved.pulled_in;
     }
+    feel_ground(rig, state, input, probe, output);
 }
 
 }  // namespace

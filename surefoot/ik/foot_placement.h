@@ -128,6 +128,7 @@ struct FootPlacementState {
     HeightSpring base;  ///< of the hips, before the legs' reach
     HipLimiter limiter;
     PaceState pace;
+    Vec3 ground_velocity;        ///< [m/s] see FootOutput
     HeightSpring weight{-1, 0};  ///< of all this, eased; -1: not known yet
     std::int32_t plans = 0;      ///< how often it planned: for tests and profiles
     bool started = false;
@@ -150,9 +151,14 @@ struct FootOutput {
         Quat upper, lower, foot, toes;  ///< new local rotations; toes only where there is a toe joint
     };
     std::array<LegRotations, 2> leg;
-    bool moves_legs = false;          ///< false: the legs stay as they were, `leg` is not set
-    std::array<bool, 2> planted{};    ///< stands on its foothold
-    std::array<bool, 2> pulled_in{};  ///< could not reach its target
+    bool moves_legs = false;                 ///< false: the legs stay as they were, `leg` is not set
+    std::array<bool, 2> planted{};           ///< stands on its foothold
+    std::array<bool, 2> pulled_in{};         ///< could not reach its target
+    std::array<std::uint32_t, 2> surface{};  ///< GroundHit::surface under each foot: ice or mud may drive a blend
+    std::array<Vec3, 2> surface_velocity;    ///< [m/s] of the ground under each foot
+    /// [m/s] Of what it stands on: move the root by it, times dt, before the next call, and a platform carries the
+    /// character; footholds go with the ground by themselves. Mode surefoot only.
+    Vec3 ground_velocity;
     /// [m/s] Steer no faster: steps that fit the stairs or the slope ahead. Longer ones would fold a knee too far, and
     /// that only steering can mend. It is said in good time to slow down and may step: ease what you ask for as you do
     /// a stick (`approach`), in what LegPreview foresees, too. Mode surefoot only.

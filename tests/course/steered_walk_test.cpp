@@ -137,6 +137,7 @@ struct ByHand {
             std::vector<Transform> l(self->locals.size()), m(l.size());
             for (std::size_t i = 0; i < ahead.size(); ++i) {
                 self->walker.look(ahead[i], roots[i], l);
+                roots[i].position += self->carried;
                 local_to_model(*self->walker.skeleton(), l, m);
                 legs[i] = read_legs(self->rig, m);
             }
@@ -148,7 +149,8 @@ struct ByHand {
         input.dt = dt;
         input.weight = weight;
         walker.look(0, input.root, locals);
-        input.root.position.y = root_height;
+        input.root.position += carried;
+        input.root.position.y += root_height;
         local_to_model(*walker.skeleton(), locals, models);
         input.legs = read_legs(rig, models);
         Preview preview;
@@ -166,6 +168,7 @@ struct ByHand {
     FootPlacementState state;
     FootOutput output;
     float weight = 1, root_height = 0;
+    Vec3 carried;  // by platforms
     std::vector<Transform> locals, models;
 };
 
@@ -284,6 +287,56 @@ TEST(FootPlacement, a_weight_that_steps_fades_evenly) {
     for (std::size_t f = 2; f < offsets.size(); ++f) {
         EXPECT_LT(std::fabs(offsets[f] - offsets[f - 1]), 0.035f) << f;
         EXPECT_LT(std::fabs(offsets[f] - 2 * offsets[f - 1] + offsets[f - 2]), 0.015f) << f;
+    }
+}
+
+/// Ground that goes where it is carried, all of it the same way.
+class Carried final : public Ground {
+  public:
+    Carried(const Ground& ground, Vec3 velocity) : ground_(ground), velocity_(velocity) {}
+    Vec3 gone;  ///< [m] so far
+    void query(std::span<const GroundQuery> queries, std::span<GroundHit> hits) const noexcept override {
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            GroundQuery query = queries[i];
+            query.origin = query.origin - gone;
+            ground_.query({&query, 1}, {&hits[i], 1});
+            hits[i].height += gone.y;
+            hits[i].velocity = velocity_;
+            hits[i].surface = 7;
+        }
+    }
+
+  private:
+    const Ground& ground_;
+    Vec3 velocity_;
+};
+
+TEST(FootPlacement, a_platform_carries_feet_and_root_as_though_it_stood_still) {
+    for (const char* course : {"flat", "hills", "stairs_up"}) {
+        const Course still = make_course(course);
+        const Vec3 velocity{0.6f, 0.25f, -0.4f};
+        Carried platform(*still.ground, velocity);
+        const auto one = make_clip_walker(clip_named("walk"), default_legs()),
+                   other = make_clip_walker(clip_named("walk"), default_legs());
+        ByHand stands(*one), rides(*other);
+        float worst = 0;
+        for (int f = 0; f < 190; ++f) {
+            const float dt = f ? 1.0f / 60 : 0;
+            if (f) {
+                platform.gone += velocity * dt;
+                rides.carried += rides.output.ground_velocity * dt;  // as a host would
+            }
+            stands.frame(dt, *still.ground);
+            rides.frame(dt, platform);
+            for (std::size_t side = 0; side < 2; ++side) {
+                const Vec3 ankle = rides.ankle(side) - platform.gone;
+                worst = std::max(worst, distance(ankle, stands.ankle(side)));
+                EXPECT_EQ(rides.output.surface[side], 7u);
+                EXPECT_EQ(rides.output.surface_velocity[side], velocity);
+                EXPECT_EQ(stands.output.surface[side], 0u);
+            }
+        }
+        EXPECT_LT(worst, 1e-4f) << course;
     }
 }
 
