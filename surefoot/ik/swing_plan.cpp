@@ -10,6 +10,7 @@ namespace {
 // Ground this far ahead of and behind a swinging point counts; near lift and strike the other way round: there an edge
 // may come as near, for a foot that fits a tread just leaves and just reaches it. [m]
 constexpr float k_path_margin = 0.02f, k_end_margin = -0.012f;
+constexpr float k_tip_share = 1.8f;      // of the latter: toe tips may come nearer, they bend
 constexpr float k_toe_bend = 0.01f;      // [m] toes that are down bend out of the way by this much
 constexpr float k_toe_down = 0.005f;     // [m]
 constexpr int k_end = 4, k_middle = 10;  // samples from lift or strike: so far the one holds, and from there the other
@@ -48,7 +49,8 @@ float Clearance::needed(const LegPoints& points, const PlacedFoot& placed, float
     float need = -1e3f;
     for (std::size_t k = 0; k < soles.size(); ++k) {
         const Vec3 arm = rotate(placed.tilt, soles[k] - points.ankle), place = placed.ankle + arm;
-        const std::array<Vec3, 3> under{place, place + travel_ * margin, place - travel_ * margin};
+        const float reach = margin < 0 && k == 2 ? margin * k_tip_share : margin;
+        const std::array<Vec3, 3> under{place, place + travel_ * reach, place - travel_ * reach};
         std::array<float, 3> heights;
         probe_.heights(under, heights);
         const auto [lowest, highest] = std::minmax({heights[0], heights[1], heights[2]});
