@@ -14,6 +14,9 @@ constexpr float k_tip_share = 1.8f;      // of the latter: toe tips may come nea
 constexpr float k_toe_bend = 0.01f;      // [m] toes that are down bend out of the way by this much
 constexpr float k_toe_down = 0.005f;     // [m]
 constexpr int k_end = 4, k_middle = 10;  // samples from lift or strike: so far the one holds, and from there the other
+constexpr float k_no_need = -1e3f;       // [m]
+constexpr float k_overshoot = 0.16f;     // [m] at most
+constexpr int k_most_given_up = 7;       // samples
 constexpr float k_low = 0.015f;          // [m] a hump this low is good enough: no shift is tried
 constexpr std::array k_shifts{-0.1f, -0.05f, 0.0f, 0.05f, 0.1f};  // [m] that are tried, early and late
 constexpr float k_shift_worth = 0.9f;                             // of the cost without: smaller gains are left alone
@@ -30,6 +33,7 @@ class Clearance {
     void plan() noexcept;
 
   private:
+    void choose_shifts() noexcept;
     float try_shift(float early, float late) noexcept;
     float needed(const LegPoints& points, const PlacedFoot& placed, float margin) const noexcept;
 
@@ -40,13 +44,15 @@ class Clearance {
     const Forecast& forecast_;
     Vec3 travel_;  // unit, level
     float start_value_, start_slope_;
+    int given_up_ = 1;        // samples at either end at which the ground is not kept clear
     float highest_need_ = 0;  // [m] above the blend of the two plants, at the last try
+    float overshoot_ = 0;     // [m] by which the hump is higher than that
 };
 
 /// Least height of the ankle above its height in the clip so that heel, ball and toe tip clear the ground.
 float Clearance::needed(const LegPoints& points, const PlacedFoot& placed, float margin) const noexcept {
     const std::array<Vec3, 3> soles{points.heel, points.ball, points.toe_tip};
-    float need = -1e3f;
+    float need = k_no_need;
     for (std::size_t k = 0; k < soles.size(); ++k) {
         const Vec3 arm = rotate(placed.tilt, soles[k] - points.ankle), place = placed.ankle + arm;
         const float reach = margin < 0 && k == 2 ? margin * k_tip_share : margin;
@@ -88,11 +94,17 @@ float Clearance::try_shift(float early, float late) noexcept {
         const float margin = k_end_margin + (k_path_margin - k_end_margin) * inner;
         float& need = task.need[static_cast<std::size_t>(j)];
         need = needed(points, placed, margin);
-        if (from_end > 0) highest_need_ = std::max(highest_need_, need - task.base[at]);
+        if (from_end < given_up_) need = k_no_need;
+        highest_need_ = std::max(highest_need_, need - task.base[at]);
     }
     task.start_value = start_value_;
     task.start_slope = start_slope_;
     foot_.hump = rig_.solver->solve(task);
+
+    float highest = 0;
+    for (int j = 0; j < k_hump_samples; ++j)
+        highest = std::max(highest, foot_.hump.at(static_cast<float>(j) / (k_hump_samples - 1)));
+    overshoot_ = highest - std::max({highest_need_, start_value_, 0.0f});
 
     float bent = 0;
     const auto height = [&](std::size_t i) {
@@ -106,7 +118,7 @@ float Clearance::try_shift(float early, float late) noexcept {
     return bent;
 }
 
-void Clearance::plan() noexcept {
+void Clearance::choose_shifts() noexcept {
     const float without = try_shift(0, 0);
     if (highest_need_ < k_low) return;
     float least = without * k_shift_worth, best_early = 0, best_late = 0;
@@ -117,6 +129,14 @@ void Clearance::plan() noexcept {
             if (cost < least) least = cost, best_early = early, best_late = late;
         }
     try_shift(best_early, best_late);
+}
+
+/// An edge so near to lift or strike that only a leap would clear it is grazed.
+void Clearance::plan() noexcept {
+    for (given_up_ = 1; given_up_ <= k_most_given_up; given_up_ += 2) {
+        choose_shifts();
+        if (overshoot_ < k_overshoot) return;
+    }
 }
 
 }  // namespace

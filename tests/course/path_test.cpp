@@ -135,6 +135,18 @@ TEST(Pace, stairs_are_taken_in_steps_that_fit_them_and_without_the_limit_knees_f
     }
 }
 
+TEST(Pace, stopping_and_starting_on_stairs_feet_stand_on_the_treads_and_no_foot_leaps) {
+    for (const char* name : {"stairs_up", "stairs_down"}) {
+        const Course stairs = make_course(name);
+        const auto walker = make_character_walker(character(), {}, walk_path("start-stop", 16));
+        const WalkMetrics ours = compare_modes(*walker, *stairs.ground, 1.4f, 16).metrics[2];
+        EXPECT_GT(ours.knee_min_deg, 40) << name;
+        EXPECT_LT(ours.sole_angle_deg, 1) << name;
+        EXPECT_LT(ours.float_mean_cm, 0.3) << name;
+        EXPECT_LT(ours.penetration_mean_cm, 0.1) << name;
+    }
+}
+
 TEST(Pace, ground_that_bears_long_steps_holds_nobody_back) {
     for (const char* name :
          {"flat", "hills", "slope_up", "slope_down", "cross_slope", "ledge", "rubble", "curb_oblique"})
