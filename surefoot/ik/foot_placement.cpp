@@ -1,3 +1,4 @@
+#include <surefoot/ik/colvin_trace.h>
 #include <surefoot/ik/foot_forecast.h>
 #include <surefoot/ik/pace.h>
 #include <surefoot/ik/ride.h>
@@ -55,36 +56,49 @@ Vec3 thigh_forward(const FootRig& rig, std::size_t side, const WorldLeg& leg) no
                                               : normalized(hint - thigh * dot(hint, thigh), {0, 0, 1});
 }
 
-void place_colvin(const FootRig& rig, const FootInput& input, const GroundProbe& probe, FootOutput& output) noexcept {
-    const float ground = probe.fallback;  // the root stands on the ground under it
-    std::array<WorldLeg, 2> legs;
-    std::array<Vec3, 2> targets;
-    float lowered = 0;
+using WorldLegs = std::array<WorldLeg, 2>;
+
+WorldLegs world_legs(const FootRig& rig, const FootInput& input) noexcept {
+    return {world_leg(rig.legs.side[0], input.legs.side[0], input.root),
+            world_leg(rig.legs.side[1], input.legs.side[1], input.root)};
+}
+
+ColvinFrame colvin_frame(const FootRig& rig, const FootInput& input, const GroundProbe& probe,
+                         const WorldLegs& legs) noexcept {
+    ColvinFrame frame;
+    frame.ground = probe.fallback;  // the root stands on the ground under it
     for (std::size_t side = 0; side < 2; ++side) {
-        legs[side] = world_leg(rig.legs.side[side], input.legs.side[side], input.root);
         const LegPoints& p = legs[side].points;
         // Step 1: ground under the animated foot, plus the animated foot's own height.
-        targets[side] = {p.ankle.x, probe.height(p.ankle.x, p.ankle.z) + p.ankle.y, p.ankle.z};
+        frame.legs[side].target = {p.ankle.x, probe.height(p.ankle.x, p.ankle.z) + p.ankle.y, p.ankle.z};
         // Step 2: where thigh and calf cannot reach, the root sinks.
         const float reach = distance(p.hip, p.knee) + distance(p.knee, p.ankle);
-        lowered = std::min(lowered, colvin_step2_lower_root(p.hip + k_up * ground, targets[side], reach));
+        frame.lowered = std::min(frame.lowered,
+                                 colvin_step2_lower_root(p.hip + k_up * frame.ground, frame.legs[side].target, reach));
     }
+    const Vec3 lift = k_up * (frame.ground + frame.lowered);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const LegPoints& p = legs[side].points;
+        ColvinInput& in = frame.legs[side];
+        in.hip = p.hip + lift;
+        in.knee = p.knee + lift;
+        in.ankle = p.ankle + lift;
+        in.forward = rotate(from_yaw(input.root.yaw), {0, 0, 1});
+        in.upper_forward = thigh_forward(rig, side, legs[side]);
+    }
+    return frame;
+}
+
+void place_colvin(const FootRig& rig, const FootInput& input, const GroundProbe& probe, FootOutput& output) noexcept {
+    const WorldLegs legs = world_legs(rig, input);
+    const ColvinFrame frame = colvin_frame(rig, input, probe, legs);
     output = {};
     output.moves_legs = true;
-    output.hips_offset = ground + lowered - input.root.position.y;
+    output.hips_offset = frame.ground + frame.lowered - input.root.position.y;
     for (std::size_t side = 0; side < 2; ++side) {
-        const WorldLeg& leg = legs[side];
-        const Vec3 lift = k_up * (ground + lowered);
-        ColvinInput in;
-        in.hip = leg.points.hip + lift;
-        in.knee = leg.points.knee + lift;
-        in.ankle = leg.points.ankle + lift;
-        in.target = targets[side];
-        in.forward = rotate(from_yaw(input.root.yaw), {0, 0, 1});
-        in.upper_forward = thigh_forward(rig, side, leg);
-        const TwoBoneResult solved = solve_colvin(in);
+        const TwoBoneResult solved = solve_colvin(frame.legs[side]);
         // The foot keeps its rotation relative to the calf: the paper turns thigh and calf only.
-        output.leg[side] = to_locals(leg, solved.upper, solved.lower, solved.lower, solved.lower);
+        output.leg[side] = to_locals(legs[side], solved.upper, solved.lower, solved.lower, solved.lower);
         output.pulled_in[side] = solved.pulled_in;
         output.planted[side] = false;
     }
@@ -283,6 +297,10 @@ void fade(const FootRig& rig, const FootInput& input, float weight, FootOutput& 
 }
 
 }  // namespace
+
+ColvinFrame colvin_frame(const FootRig& rig, const FootInput& input, const Ground& ground) noexcept {
+    return colvin_frame(rig, input, probe_for(rig, input, ground), world_legs(rig, input));
+}
 
 void place_feet(const FootRig& rig, FootPlacementState& state, const FootInput& input, const Ground& ground,
                 const LegPreview* preview, FootOutput& output) noexcept {

@@ -1,3 +1,4 @@
+#include <surefoot/ik/colvin_trace.h>
 #include <surefoot/ik/two_bone.h>
 
 #include <algorithm>
@@ -120,6 +121,11 @@ float colvin_step5_twist(Vec3 n, Vec3 c, Vec3 a) noexcept {
 }
 
 TwoBoneResult solve_colvin(const ColvinInput& leg) noexcept {
+    ColvinTrace trace;
+    return solve_colvin(leg, trace);
+}
+
+TwoBoneResult solve_colvin(const ColvinInput& leg, ColvinTrace& trace) noexcept {
     TwoBoneResult result;
     result.knee = leg.knee;
     result.ankle = leg.ankle;
@@ -139,6 +145,7 @@ TwoBoneResult solve_colvin(const ColvinInput& leg) noexcept {
     const Vec3 posed_forward = normalized(perpendicular(k_up, thigh), any_perpendicular(thigh));
     const float twist = colvin_step5_twist(axis, rotate(swing, posed_forward), leg.upper_forward);
     const Quat turn = axis_angle(axis, twist) * swing;
+    trace = {posed, swing, {rotate(swing, posed.knee), rotate(swing, posed.ankle)}, twist};
     result.knee = leg.hip + rotate(turn, posed.knee);
     result.ankle = leg.hip + rotate(turn, posed.ankle);
 
