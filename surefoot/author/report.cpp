@@ -1,4 +1,4 @@
-#include <surefoot/author/base64.h>
+#include <surefoot/author/page.h>
 #include <surefoot/author/report_parts.h>
 #include <surefoot/author/report_style.h>
 
@@ -51,13 +51,6 @@ std::string footer(const Project& project, const ReportExtras& extras) {
     return html;
 }
 
-/// Nothing is loaded, and no script or style runs but the two that are named by their hashes.
-std::string content_security_policy() {
-    return fmt::format(
-        "default-src 'none'; style-src 'sha256-{}'; script-src 'sha256-{}'; base-uri 'none'; form-action 'none'",
-        base64_of_hex(report_style_sha256()), base64_of_hex(report_script_sha256()));
-}
-
 }  // namespace
 
 std::string counted(std::size_t count, const char* one, const char* many) {
@@ -98,19 +91,18 @@ std::string report_html(const Project& project, const ReportExtras& extras) {
     static const ClipFigures k_none;
     const ClipFigures& figures = extras.figures != nullptr ? *extras.figures : k_none;
     const std::string preview = preview_json(project, figures);
-    std::string html = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta "
-        "http-equiv=\"Content-Security-Policy\" "
-        "content=\"{2}\">\n<meta name=\"viewport\" content=\"width=device-width, "
-        "initial-scale=1\">\n<title>{0}</title>\n<style>{1}</style></head><body>\n<main>\n<h1>{0}</h1>\n<p "
-        "class=\"lead\">What these clips do, where they stand, and what will go wrong when they are blended.</p>\n",
-        escape_html(project.name), report_style(), content_security_policy());
-    html += tiles(project);
-    for (std::size_t s = 0; s < project.spaces.size(); ++s) html += space_section(project, s, !preview.empty());
-    html += findings_section(project) + repairs_section(project) + clips_section(project, figures) +
-            left_out_section(project, extras) + footer(project, extras) + "</main>\n";
-    if (!preview.empty()) html += "<script type=\"application/json\" id=\"preview-data\">" + preview + "</script>\n";
-    return html + "<script>" + report_script() + "</script>\n</body></html>\n";
+    HtmlPage page;
+    page.title = project.name;
+    page.lead = "What these clips do, where they stand, and what will go wrong when they are blended.";
+    page.main = tiles(project);
+    for (std::size_t s = 0; s < project.spaces.size(); ++s) page.main += space_section(project, s, !preview.empty());
+    page.main += findings_section(project) + repairs_section(project) + clips_section(project, figures) +
+                 left_out_section(project, extras) + footer(project, extras);
+    if (!preview.empty())
+        page.tail = "<script type=\"application/json\" id=\"preview-data\">" + preview + "</script>\n";
+    page.styles = {page_style()};
+    page.scripts = {{report_script(), report_script_sha256()}};
+    return html_page(page);
 }
 
 }  // namespace surefoot
