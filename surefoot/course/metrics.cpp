@@ -132,12 +132,15 @@ void Measurement::depths() {
     int count = 0;
     for (std::size_t i = first_; i < end_; ++i)
         for (const LegTrack& leg : walked_.frames[i].legs)
-            for (const Vec3 p : leg.sole) {
-                const double depth = static_cast<double>(depth_in_ground(ground_, p)) * k_cm;
+            for (std::size_t point = 0; point < k_sole_points; ++point) {
+                const double depth = static_cast<double>(depth_in_ground(ground_, leg.sole[point])) * k_cm;
                 sum += depth;
                 ++count;
-                result.penetration_max_cm = std::max(result.penetration_max_cm, depth);
+                double& most = point == 0 || point == 2 ? result.penetration_heel_ball_cm  // see k_sole_points
+                                                        : result.penetration_toe_mid_cm;
+                most = std::max(most, depth);
             }
+    result.penetration_max_cm = std::max(result.penetration_heel_ball_cm, result.penetration_toe_mid_cm);
     result.penetration_mean_cm = sum / std::max(count, 1);
 }
 
@@ -185,6 +188,9 @@ TwinFigures measure_twin(const WalkTrack& twin, float margin) {
         figures.knee_peak_deg_s2 = std::max(figures.knee_peak_deg_s2, knee_peak(twin, side, {first, end}));
     figures.skate_cm_s = measure_skate(twin, twin, {first, end}).mean_cm_s;
     figures.hip_jerk_m_s3 = hip_jerk(twin, first, end);
+    for (std::size_t i = 1; i < twin.frames.size(); ++i)
+        figures.path_m +=
+            static_cast<double>(planar_length(twin.frames[i].root.position - twin.frames[i - 1].root.position));
     return figures;
 }
 

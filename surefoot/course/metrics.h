@@ -21,6 +21,8 @@ struct WalkMetrics {
     double skate_share = 0;        ///< share of frames in which a planted point moves faster than 10 cm/s
     double skate_weighted_cm = 0;  ///< mean over frames of displacement * (2 - 2^(h/H)), H = 2.5 cm (Zhang et al. 2018)
     double penetration_max_cm = 0, penetration_mean_cm = 0;  ///< distance to free space, all frames
+    double penetration_heel_ball_cm = 0;                     ///< most of heel and ball
+    double penetration_toe_mid_cm = 0;                       ///< most of toe tip and mid-sole
     double float_max_cm = 0, float_mean_cm = 0;              ///< planted points above the flat twin's height
     double sole_angle_deg = 0, sole_angle_worst_deg = 0;     ///< planted sole against the ground under it
     int over_extensions = 0;     ///< leg-frames with the knee past 179.5 degrees where the twin's is not
@@ -40,6 +42,7 @@ WalkMetrics measure_walk(const WalkTrack& walked, const WalkTrack& twin, const G
 /// What the ratios are against.
 struct TwinFigures {
     double skate_cm_s = 0, knee_peak_deg_s2 = 0, hip_jerk_m_s3 = 0;
+    double path_m = 0;  ///< length of the root's path, all frames
 };
 TwinFigures measure_twin(const WalkTrack& twin, float margin = 0.5f);
 

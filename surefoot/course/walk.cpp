@@ -141,6 +141,7 @@ WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_m
     request.mode = FootMode::none;
     result.twin = walk(walker, Plane(), request, &ours.speed_limit);
     const WalkTrack twin = make_track(result.twin.motion, walker.legs());
+    result.twin_figures = measure_twin(twin);
     for (std::size_t i = 0; i < result.walked.size(); ++i)
         result.metrics[i] = measure_walk(make_track(result.walked[i].motion, walker.legs()), twin, ground,
                                          result.walked[i].requested.back());

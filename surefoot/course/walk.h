@@ -86,8 +86,10 @@ struct WalkComparison {
     std::array<Walked, 3> walked;        ///< by FootMode
     std::array<WalkMetrics, 3> metrics;  ///< by FootMode
     Walked twin;
+    TwinFigures twin_figures;
     Legs legs;
 };
+inline constexpr std::array k_foot_modes{FootMode::none, FootMode::colvin2013, FootMode::surefoot};
 WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds,
                              bool limit_pace = true);
 

@@ -1,5 +1,6 @@
 #include <surefoot/course/filmstrip.h>
 #include <surefoot/course/walk_report.h>
+#include <surefoot/course/walk_table.h>
 #include <surefoot/io/gltf.h>
 #include <surefoot/mannequin/mannequin.h>
 
@@ -12,40 +13,6 @@ namespace surefoot {
 namespace {
 
 using Out = std::back_insert_iterator<std::string>;
-
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\')
-            (out += '\\') += c;
-        else if (static_cast<unsigned char>(c) < 0x20)
-            fmt::format_to(Out(out), "\\u{:04x}", static_cast<unsigned>(c));
-        else
-            out += c;
-    }
-    return out + "\"";
-}
-
-/// Six significant digits: more says nothing about feet.
-std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.6g}", x) : "null"; }
-
-std::string row_json(const WalkMetrics& m) {
-    return fmt::format(
-        "{{\"skate_cm_s\": {}, \"skate_share\": {}, \"penetration_max_cm\": {}, \"penetration_mean_cm\": {}, "
-        "\"float_max_cm\": {}, \"float_mean_cm\": {}, \"sole_angle_deg\": {}, \"sole_angle_worst_deg\": {}, "
-        "\"over_extensions\": {}, \"knee_peak_ratio\": {}, \"knee_peak_deg_s2\": {}, \"knee_min_deg\": {}, "
-        "\"hip_jerk_ratio\": {}, \"drift_m\": {}, \"drift_deg\": {}}}",
-        number(m.skate_cm_s), number(m.skate_share), number(m.penetration_max_cm), number(m.penetration_mean_cm),
-        number(m.float_max_cm), number(m.float_mean_cm), number(m.sole_angle_deg), number(m.sole_angle_worst_deg),
-        m.over_extensions, number(m.knee_peak_ratio), number(m.knee_peak_deg_s2), number(m.knee_min_deg),
-        number(m.hip_jerk_ratio), number(m.drift_m), number(m.drift_deg));
-}
-
-std::string course_title(const WalkInfo& info) {
-    const bool graded = info.course == "slope_up" || info.course == "slope_down";
-    return (graded ? fmt::format("{} {:g}°", info.course, info.grade_deg) : info.course) +
-           (info.reverse ? " from its far end" : "");
-}
 
 /// Runs of true as [[first, last], …].
 std::string ranges(const std::vector<bool>& on) {
@@ -68,7 +35,7 @@ constexpr const char* k_side_names[] = {"left", "right"};
 std::string foot_json(const WalkComparison& walks, FootMode mode, const Legs& legs, const Skeleton& skeleton,
                       const WalkTrack& twin, std::size_t side) {
     const Leg& leg = legs.side[side];
-    const auto name = [&](int joint) { return quoted(skeleton.names[static_cast<std::size_t>(joint)]); };
+    const auto name = [&](int joint) { return json_quoted(skeleton.names[static_cast<std::size_t>(joint)]); };
     const std::string foot = name(leg.foot), toes = name(leg.toes == k_no_joint ? leg.foot : leg.toes);
     std::string out = fmt::format(
         "{{\"contacts\": {}, \"joints\": {{\"upper_leg\": {}, \"lower_leg\": {}, \"foot\": {}}}, \"sole_up\": {}, "
@@ -89,24 +56,30 @@ std::string foot_json(const WalkComparison& walks, FootMode mode, const Legs& le
     return out + "}}";
 }
 
+MeasuredWalk row_of(const WalkInfo& info, const WalkComparison& walks, FootMode mode) {
+    for (const MeasuredWalk& row : measured_walks(info, walks))
+        if (row.mode == mode) return row;
+    return {};
+}
+
 std::string extras_json(const WalkInfo& info, const WalkComparison& walks, FootMode mode) {
     const Legs& legs = walks.legs;
     const Skeleton& skeleton = *walks.twin.motion.skeleton;
     const WalkTrack twin = make_track(walks.twin.motion, legs);
-    const TwinFigures flat = measure_twin(twin);
+    const TwinFigures& flat = walks.twin_figures;
     std::string out = fmt::format(
         "{{\"surefoot_walk\": {{\"course\": {}, \"reverse\": {}, \"grade_deg\": {}, \"path\": {}, \"speed_mps\": {}, "
         "\"mode\": {}, "
         "\"fps\": {}, \"hips\": {}, \"flat_twin\": {{\"knee_peak_deg_s2\": {}, \"hip_jerk_m_s3\": {}, "
         "\"skate_cm_s\": {}}}",
-        quoted(info.course), info.reverse, number(static_cast<double>(info.grade_deg)), quoted(info.path),
-        number(static_cast<double>(info.speed_mps)), quoted(foot_mode_name(mode)),
-        number(static_cast<double>(k_walk_fps)), quoted(skeleton.names[static_cast<std::size_t>(legs.hips)]),
-        number(flat.knee_peak_deg_s2), number(flat.hip_jerk_m_s3), number(flat.skate_cm_s));
+        json_quoted(info.course), info.reverse, json_number(static_cast<double>(info.grade_deg)),
+        json_quoted(info.path), json_number(static_cast<double>(info.speed_mps)), json_quoted(foot_mode_name(mode)),
+        json_number(static_cast<double>(k_walk_fps)), json_quoted(skeleton.names[static_cast<std::size_t>(legs.hips)]),
+        json_number(flat.knee_peak_deg_s2), json_number(flat.hip_jerk_m_s3), json_number(flat.skate_cm_s));
     for (std::size_t side = 0; side < 2; ++side)
         fmt::format_to(Out(out), ", \"{}\": {}", k_side_names[side],
                        foot_json(walks, mode, legs, skeleton, twin, side));
-    fmt::format_to(Out(out), ", \"metrics\": {}}}}}", row_json(walks.metrics[static_cast<std::size_t>(mode)]));
+    fmt::format_to(Out(out), ", \"metrics\": {}}}}}", figures_json(row_of(info, walks, mode)));
     return out;
 }
 
@@ -137,41 +110,19 @@ std::string caption(const WalkMetrics& m) {
 }  // namespace
 
 std::string metrics_table(const WalkInfo& info, const WalkComparison& walks) {
-    std::string out = fmt::format("{} on {}, {} at {:g} m/s, {:g} s\n", info.character, course_title(info), info.path,
-                                  info.speed_mps, walks.twin.motion.duration());
-    out +=
-        "              skate  skating  penetration     float        sole angle    over-   knee peak      knee  hip    "
-        "drift\n"
-        "              cm/s   frames   max  mean cm    max  mean cm mean worst °  extend  x flat  °/s²   min°  jerk   "
-        "m     °\n";
-    for (std::size_t i = 0; i < walks.metrics.size(); ++i) {
-        const WalkMetrics& m = walks.metrics[i];
-        fmt::format_to(Out(out),
-                       "  {:<10} {:6.2f}  {:5.1f}%  {:5.1f} {:6.3f}  {:5.1f} {:6.3f}   {:5.1f} {:5.1f}  {:6d}  {:6.2f} "
-                       "{:7.0f}  {:5.0f} {:5.2f}  {:.3f} {:.2f}\n",
-                       foot_mode_name(static_cast<FootMode>(i)), m.skate_cm_s, 100 * m.skate_share,
-                       m.penetration_max_cm, m.penetration_mean_cm, m.float_max_cm, m.float_mean_cm, m.sole_angle_deg,
-                       m.sole_angle_worst_deg, m.over_extensions, m.knee_peak_ratio, m.knee_peak_deg_s2, m.knee_min_deg,
-                       m.hip_jerk_ratio, m.drift_m, m.drift_deg);
-    }
-    const TwinFigures flat = measure_twin(make_track(walks.twin.motion, walks.legs));
-    fmt::format_to(Out(out), "  flat twin  {:6.2f}   the same clip on flat ground\n", flat.skate_cm_s);
-    if (std::isnan(walks.metrics[0].skate_cm_s) || std::isnan(walks.metrics[0].sole_angle_deg))
+    const std::vector<MeasuredWalk> rows = measured_walks(info, walks);
+    std::string out = fmt::format("{} on {}, {:g} s\n{}", info.character, walk_title(info), info.seconds,
+                                  walk_table(rows, TableLayout::one_walk));
+    if (!rows.empty() && (std::isnan(rows[0].metrics.skate_cm_s) || std::isnan(rows[0].metrics.sole_angle_deg)))
         out +=
-            "  nan: on flat ground the clip never stands there (heel and ball at once, for the sole's angle), so "
+            "  –: on flat ground the clip never stands there (heel and ball at once, for the sole's angle), so "
             "nothing\n"
-            "       was measured; look at its contacts with `surefoot analyze`\n";
+            "     was measured; look at its contacts with `surefoot analyze`\n";
     return out;
 }
 
 std::string metrics_json(const WalkInfo& info, const WalkComparison& walks) {
-    std::string out =
-        fmt::format("{{\"course\": {}, \"reverse\": {}, \"path\": {}, \"speed_mps\": {}, \"rows\": {{",
-                    quoted(info.course), info.reverse, quoted(info.path), number(static_cast<double>(info.speed_mps)));
-    for (std::size_t i = 0; i < walks.metrics.size(); ++i)
-        fmt::format_to(Out(out), "{}\n  \"{}\": {}", i ? "," : "", foot_mode_name(static_cast<FootMode>(i)),
-                       row_json(walks.metrics[i]));
-    return out + "\n}}\n";
+    return walk_json(measured_walks(info, walks));
 }
 
 std::string walk_glb(const WalkInfo& info, const Course& course, const WalkComparison& walks, FootMode mode,
@@ -189,7 +140,7 @@ std::string walk_filmstrip(const WalkInfo& info, const Course& course, const Wal
                            const RoleMap& roles) {
     const auto with = static_cast<std::size_t>(mode), without = static_cast<std::size_t>(FootMode::none);
     Filmstrip strip;
-    strip.title = fmt::format("{}, {:g} m/s", course_title(info), info.speed_mps);
+    strip.title = walk_title(info);
     strip.ground = course.ground.get();
     strip.legs = walks.legs;
     strip.roles = roles;

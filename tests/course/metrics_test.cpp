@@ -92,6 +92,31 @@ TEST(Metrics, a_foot_2_cm_under_the_ground_gives_2_and_one_above_floats) {
     EXPECT_EQ(up.penetration_max_cm, 0);
 }
 
+TEST(Metrics, heel_and_ball_sink_apart_from_toe_tip_and_mid_sole) {
+    const WalkTrack twin = stepping();
+    const auto sink = [&](std::size_t point) {
+        WalkTrack track = twin;
+        for (TrackFrame& frame : track.frames) frame.legs[0].sole[point].y -= 0.03f;
+        return measure_walk(track, twin, k_flat, {});
+    };
+    for (const std::size_t point : {std::size_t{0}, std::size_t{2}}) {
+        EXPECT_NEAR(sink(point).penetration_heel_ball_cm, 3, 0.01) << point;
+        EXPECT_LT(sink(point).penetration_toe_mid_cm, 0.01) << point;
+    }
+    for (const std::size_t point : {std::size_t{1}, std::size_t{3}}) {
+        EXPECT_LT(sink(point).penetration_heel_ball_cm, 0.01) << point;
+        EXPECT_NEAR(sink(point).penetration_toe_mid_cm, 3, 0.01) << point;
+        EXPECT_NEAR(sink(point).penetration_max_cm, 3, 0.01) << point;
+    }
+}
+
+TEST(Metrics, the_twin_tells_how_long_the_way_was) {
+    WalkTrack track = stepping();
+    for (std::size_t f = 0; f < track.frames.size(); ++f)
+        track.frames[f].root.position.z = 0.02f * static_cast<float>(f);
+    EXPECT_NEAR(measure_twin(track).path_m, 0.02 * (k_frames - 1), 1e-3);
+}
+
 TEST(Metrics, a_sole_against_a_slope_is_off_by_the_slope) {
     const WalkTrack twin = stepping();
     const float grade = tan(15 * k_radians_per_degree);
