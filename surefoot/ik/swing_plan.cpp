@@ -18,17 +18,24 @@ constexpr float k_no_need = -1e3f;       // [m]
 constexpr float k_overshoot = 0.16f;     // [m] at most
 constexpr int k_most_given_up = 7;       // samples
 constexpr float k_low = 0.015f;          // [m] a hump this low is good enough: no shift is tried
-constexpr std::array k_shifts{-0.1f, -0.05f, 0.0f, 0.05f, 0.1f};  // [m] that are tried, early and late
+constexpr std::array k_shifts{-0.08f, 0.0f, 0.08f};  // [m] that are tried, early and late
 constexpr float k_shift_worth = 0.9f;                             // of the cost without: smaller gains are left alone
 
 class Clearance {
   public:
     Clearance(const FootRig& rig, FootState& foot, std::size_t side, const GroundProbe& probe,
               const Forecast& forecast) noexcept
-        : rig_(rig), foot_(foot), side_(side), probe_(probe), forecast_(forecast) {
+        : rig_(rig), foot_(foot), probe_(probe) {
         travel_ = normalized(foot.next.centre - foot.plant.centre, {0, 0, 0});
         start_value_ = foot.hump.start_value;
         start_slope_ = foot.hump.start_slope;
+        const double from = foot.hump_from, length = foot.strike - from;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const double clock = from + length * (static_cast<double>(i) - 1) / (k_hump_samples - 1);
+            points_[i] = forecast.at(side, clock);
+            placed_[i] = blend_plants(foot, clock, points_[i], rig.legs.side[side]);
+            fade_[i] = fade_offset(foot, clock);
+        }
     }
     void plan() noexcept;
 
@@ -39,9 +46,11 @@ class Clearance {
 
     const FootRig& rig_;
     FootState& foot_;
-    std::size_t side_;
     const GroundProbe& probe_;
-    const Forecast& forecast_;
+    // At the samples of the hump, one before and one after:
+    std::array<LegPoints, k_hump_samples + 2> points_;
+    std::array<PlacedFoot, k_hump_samples + 2> placed_;
+    std::array<Vec3, k_hump_samples + 2> fade_;
     Vec3 travel_;  // unit, level
     float start_value_, start_slope_;
     int given_up_ = 1;        // samples at either end at which the ground is not kept clear
@@ -74,27 +83,24 @@ float Clearance::needed(const LegPoints& points, const PlacedFoot& placed, float
 float Clearance::try_shift(float early, float late) noexcept {
     foot_.shift_early = travel_ * early;
     foot_.shift_late = travel_ * late;
-    const double from = foot_.hump_from, length = foot_.strike - from;
-    const Leg& leg = rig_.legs.side[side_];
     HumpTask task;
     highest_need_ = 0;
     std::array<Vec3, k_hump_samples + 2> shift;
     for (int j = -1; j <= k_hump_samples; ++j) {
-        const auto share = static_cast<float>(j) / (k_hump_samples - 1);
-        const double clock = from + length * static_cast<double>(share);
-        const LegPoints points = forecast_.at(side_, clock);
-        PlacedFoot placed = blend_plants(foot_, clock, points, leg);
         const auto at = static_cast<std::size_t>(j + 1);
+        const LegPoints& points = points_[at];
+        PlacedFoot placed = placed_[at];
         task.base[at] = placed.ankle.y - points.ankle.y;
-        shift[at] = swing_shift(foot_, share);
+        shift[at] = swing_shift(foot_, static_cast<float>(j) / (k_hump_samples - 1));
         if (j < 0 || j == k_hump_samples) continue;
-        placed.ankle += fade_offset(foot_, clock) + shift[at];
         const int from_end = std::min(j, k_hump_samples - 1 - j);
+        float& need = task.need[static_cast<std::size_t>(j)];
+        need = k_no_need;
+        if (from_end < given_up_) continue;
         const float inner = std::clamp(static_cast<float>(from_end - k_end) / (k_middle - k_end), 0.0f, 1.0f);
         const float margin = k_end_margin + (k_path_margin - k_end_margin) * inner;
-        float& need = task.need[static_cast<std::size_t>(j)];
+        placed.ankle += fade_[at] + shift[at];
         need = needed(points, placed, margin);
-        if (from_end < given_up_) need = k_no_need;
         highest_need_ = std::max(highest_need_, need - task.base[at]);
     }
     task.start_value = start_value_;
