@@ -31,7 +31,7 @@ struct Options : FitInput {
     bool family = false, on_the_spot = false, json = false;
     float travel_deg = 0;
     std::vector<float> speeds, turns, range, stretch, stairs;
-    bool shift_weight = false;
+    bool shift_weight = false, hold_feet = false;
     float fps = 60;
 };
 
@@ -163,6 +163,7 @@ int fit_all(const std::vector<AnalyzedClip>& strides, const Options& options) {
 
 int derive(HarmonicGait gait, const Options& options) {
     if (!options.stretch.empty()) gait = stretched(gait, options.stretch[0], options.stretch[1]);
+    if (options.hold_feet) gait = holding_feet(gait);
     if (options.shift_weight) gait = shifting_weight(gait);
     if (!options.stairs.empty()) {
         Stairs stairs;
@@ -240,6 +241,8 @@ const Command k_fit{
             ->delimiter(',')
             ->expected(2)
             ->check(is_number);
+        app.add_flag("--hold-feet", options->hold_feet,
+                     "of a gait: one whose feet are fitted anew to feet that stand still on the floor");
         app.add_flag("--shift-weight", options->shift_weight,
                      "of someone standing: from foot to foot every few breaths");
         app.add_option("--stairs", options->stairs, "of a family one on stairs: riser (negative: down) and tread, m")

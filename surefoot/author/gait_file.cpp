@@ -229,6 +229,7 @@ std::string gait_to_json(const HarmonicGait& gait) {
     std::string out = fmt::format("{{\n \"surefoot_gait\": {},\n \"name\": {},\n", k_version, text(gait.name));
     out += fmt::format(" \"harmonics\": {},\n \"foot_harmonics\": {},\n \"foot_lift\": {},\n", gait.harmonics,
                        gait.foot_harmonics, gait.foot_lift);
+    if (gait.foot_hold > 0) out += fmt::format(" \"foot_hold\": {},\n", gait.foot_hold);
     out += " \"basis\": " + text(basis_json(gait.basis)) + ",\n \"fitted_mps_deg_s\": " + text(cycles) +
            ",\n \"joints\": [\n";
     const Json joints = joints_json(gait);
@@ -259,6 +260,7 @@ HarmonicGait gait_from_json(std::string_view text, const std::string& where) {
     gait.harmonics = node.at("harmonics").integer(1, k_most_harmonics);
     gait.foot_harmonics = node.at("foot_harmonics").integer(1, k_most_harmonics);
     gait.foot_lift = node.at("foot_lift").real();
+    if (node.has("foot_hold")) gait.foot_hold = node.at("foot_hold").real();
     gait.basis = basis_from(node.at("basis"));
     for (const JsonNode& cycle : node.at("fitted_mps_deg_s").items()) {
         const std::vector<float> pair = cycle.reals();

@@ -179,6 +179,7 @@ HarmonicGait on_stairs(const HarmonicGait& family, const Stairs& stairs) {
     std::vector<float> walk(at(value_count(family)));
     values_at(family, stairs.walk_speed, 0, walk);
     HarmonicGait result = family;
+    result.foot_hold = 0;  // their feet are new
     result.basis.climb = stairs.riser / stairs.tread;
     const std::vector<Quat> models = mean_models(family);
     const RoleMap roles = roles_of(family);

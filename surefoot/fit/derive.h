@@ -31,4 +31,10 @@ struct Stairs {
 /// Each step covers one tread at any speed. Throws Error where the gait is no family that goes ahead.
 HarmonicGait on_stairs(const HarmonicGait& family, const Stairs& stairs = {});
 
+/// The same gait with the series of its feet fitted anew to feet that hold the ground exactly (fit/grounded_cycle.h):
+/// means over many strides slide and sink by centimetres, and few harmonics of a foot that stands still stand nearly
+/// still. Of a family at speeds and turns over the range of its strides. Throws Error where there are no feet, or
+/// stairs.
+HarmonicGait holding_feet(const HarmonicGait& gait);
+
 }  // namespace surefoot

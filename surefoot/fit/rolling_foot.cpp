@@ -10,7 +10,6 @@ namespace surefoot {
 namespace {
 
 constexpr Vec3 k_x{1, 0, 0}, k_y{0, 1, 0}, k_z{0, 0, 1};
-constexpr float k_flat = 0.11f;       // [rad] a foot that is pitched by less means to lie flat
 constexpr float k_clear = 0.012f;     // [m] of a sole in the middle of its swing, at least
 constexpr float k_half_width = 0.2f;  // of a sole's length
 constexpr float k_still = 0.01f;      // [m/s] who goes slower stands
@@ -46,8 +45,13 @@ Quat flat_rotation(const Leg& leg) {
 
 }  // namespace
 
+FootHold hold_of(const HarmonicGait& gait) noexcept {
+    constexpr float k_ringing = 0.02f;  // [rad]
+    return gait.foot_hold > 0 ? FootHold{gait.foot_hold, k_ringing} : FootHold{};
+}
+
 RollingFoot::RollingFoot(const HarmonicGait& gait, std::span<const float> values, const GaitRhythm& rhythm,
-                         std::size_t side, Vec3 origin)
+                         std::size_t side, Vec3 origin, const FootHold& hold)
     : gait_(gait),
       values_(values),
       rhythm_(rhythm),
@@ -57,7 +61,9 @@ RollingFoot::RollingFoot(const HarmonicGait& gait, std::span<const float> values
       stands_(foot_speed(rhythm.velocity, rhythm.turn_rate) < k_still),
       flat_(flat_rotation(leg_)),
       toes_(leg_.ball),
-      step_(step_of(rhythm, side)) {
+      step_(step_of(rhythm, side)),
+      lift_(hold.share * step_.lift),
+      flat_pitch_(hold.flat) {
     if (leg_.toes != k_no_joint) {
         const Transform& rest = gait.skeleton->rest[static_cast<std::size_t>(leg_.toes)];
         toes_flat_ = rest.rotation;
@@ -66,7 +72,7 @@ RollingFoot::RollingFoot(const HarmonicGait& gait, std::span<const float> values
     // The foothold is where the flat foot would be, in the mean over the middle of the stance.
     constexpr int k_samples = 16;
     constexpr float k_edge = 0.15f;
-    const float stance = stands_ ? 1.0f : step_.lift;
+    const float stance = stands_ ? 1.0f : lift_;
     for (int i = 0; i < k_samples; ++i) {
         const float within = (static_cast<float>(i) + 0.5f) / k_samples;
         const float share = stance * (stands_ ? within : k_edge + (1 - 2 * k_edge) * within);
@@ -113,22 +119,24 @@ RollingFoot::Placed RollingFoot::captured(float share) const {
 
 float RollingFoot::pitch(float share) const {
     const float angle = attitude(captured_print(share).rotation).pitch;
-    return angle * angle * angle / (angle * angle + k_flat * k_flat);
+    return angle * angle * angle / (angle * angle + flat_pitch_ * flat_pitch_);
 }
 
 /// Of a foot that points down the toes lie flat while it stands, peel off at the end, and hang free in the swing.
 float RollingFoot::toe_bend(float share) const {
-    constexpr float k_peel = 0.8f, k_left = 0.55f;       // share of the stance; of the bend at its end
+    constexpr float k_peel = 0.8f, k_quickest = 0.08f;  // share of the stance from which on they peel off; [s] at least
+    constexpr float k_left = 0.55f;                     // of the bend at its end
     constexpr float k_hanging = 0.4f, k_landing = 0.7f;  // shares of the swing
     const float down = std::max(0.0f, -pitch(share));
-    if (share < step_.lift) return down * (1 - (1 - k_left) * between(share / step_.lift, k_peel, 1));
-    const float t = (share - step_.lift) / (1 - step_.lift);
+    const float from = std::min(k_peel, 1 - k_quickest / step_.stance);
+    if (share < lift_) return down * (1 - (1 - k_left) * between(share / lift_, from, 1));
+    const float t = (share - lift_) / (1 - lift_);
     return down * std::max(k_left * (1 - between(t, 0, k_hanging)), between(t, k_landing, 1));
 }
 
 float RollingFoot::roll(float share) const {
-    if (share <= step_.lift) return 0;
-    return attitude(captured_print(share).rotation).roll * bump((share - step_.lift) / (1 - step_.lift));
+    if (share <= lift_) return 0;
+    return attitude(captured_print(share).rotation).roll * bump((share - lift_) / (1 - lift_));
 }
 
 RollingFoot::Sole RollingFoot::rolled(float share) const {
@@ -158,7 +166,7 @@ RollingFoot::Placed RollingFoot::held(float share) const {
 
 /// The gait's own swing, led over from the place where the foot stood to that where it will.
 RollingFoot::Placed RollingFoot::swinging(float share) const {
-    const float lift = step_.lift, swing = 1 - lift, t = (share - lift) / swing;
+    const float lift = lift_, swing = 1 - lift, t = (share - lift) / swing;
     const auto change = [&](float at_share, float to) {  // of place and yaw, and its slope over the swing
         struct {
             Vec3 move, slope;
@@ -185,7 +193,7 @@ RollingFoot::Placed RollingFoot::swinging(float share) const {
 }
 
 FootGoal RollingFoot::at(float share) const {
-    const Placed placed = stands_ || share <= step_.lift ? held(share) : swinging(share);
+    const Placed placed = stands_ || share <= lift_ ? held(share) : swinging(share);
     const Sole sole = rolled(share);
     return {{normalized(from_yaw(placed.yaw) * sole.foot), placed.ankle}, sole.toes};
 }
@@ -195,7 +203,8 @@ GroundedBody::GroundedBody(const HarmonicGait& gait, std::span<const float> valu
     : gait_(gait),
       values_(values),
       origin_(origin),
-      feet_{RollingFoot(gait, values, rhythm, 0, origin), RollingFoot(gait, values, rhythm, 1, origin)} {}
+      feet_{RollingFoot(gait, values, rhythm, 0, origin, hold_of(gait)),
+            RollingFoot(gait, values, rhythm, 1, origin, hold_of(gait))} {}
 
 void GroundedBody::pose(float phase, std::span<Transform> locals) const {
     constexpr float k_free = 0.985f;  // share of its length to which a leg reaches freely: a knee bent by 20 degrees

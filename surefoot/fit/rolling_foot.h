@@ -7,12 +7,20 @@
 
 namespace surefoot {
 
+/// How long and how flat a foot is held.
+struct FootHold {
+    float share = 1;     ///< (0, 1] of its stance, after which it is let go
+    float flat = 0.11f;  ///< [rad] a foot that is pitched by less means to lie flat
+};
+/// Series that hold their feet already are held for as long, and lie flat but for what they ring by.
+FootHold hold_of(const HarmonicGait& gait) noexcept;
+
 class RollingFoot {
   public:
     /// `rhythm` in place of the gait's own; one that goes nowhere keeps both feet on the floor throughout. The gait's
     /// places count from `origin` in the root's frame. All that is passed must outlive this.
     RollingFoot(const HarmonicGait& gait, std::span<const float> values, const GaitRhythm& rhythm, std::size_t side,
-                Vec3 origin);
+                Vec3 origin, const FootHold& hold);
 
     /// Seen from the root, at a share [0, 1) of the foot's own cycle, 0 at its strike.
     FootGoal at(float share) const;
@@ -54,6 +62,8 @@ class RollingFoot {
     Quat flat_, toes_flat_;
     Vec3 toes_;  ///< of the toe joint in the foot, or the ball
     FootStep step_;
+    float lift_;  ///< share of its cycle at which the foot is let go
+    float flat_pitch_;
     RootFrame foothold_;  ///< as seen from the root in the middle of the stance
 };
 

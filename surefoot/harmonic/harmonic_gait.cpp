@@ -197,6 +197,8 @@ std::string problem(const HarmonicGait& gait) {
     if (const char* text = problem_of_ranges(basis)) return text;
     if (!(gait.foot_lift > 0.05f && gait.foot_lift < 0.95f))
         return "the stance of the feet's series is not 0.05 to 0.95";
+    if (!(gait.foot_hold == 0 || (gait.foot_hold >= 0.5f && gait.foot_hold <= 1)))
+        return "the share of a stance for which feet are held is not 0.5 to 1";
     const int joints = gait.skeleton->joint_count();
     if (gait.legs.count > 0)
         for (const Leg& leg : gait.soles.side)

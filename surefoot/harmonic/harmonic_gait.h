@@ -69,12 +69,13 @@ inline constexpr int k_rhythm_values = 8;  ///< velocity x y z, turn rate, frequ
 struct HarmonicGait {
     std::string name;
     std::shared_ptr<const Skeleton> skeleton;
-    Legs soles;                                ///< for tools that measure it
-    LegPaths legs;                             ///< without paths (count 0) feet are as the joints' series leave them
-    int harmonics = 5;                         ///< of joints and translations [Limit: 1 to k_most_harmonics]
-    int foot_harmonics = 8;                    ///< of the feet [Limit: 1 to k_most_harmonics]
-    float foot_lift = 0.6f;                    ///< (0, 1) share of a foot's series that is its stance
-    std::vector<Quat> mean;                    ///< [joint]
+    Legs soles;              ///< for tools that measure it
+    LegPaths legs;           ///< without paths (count 0) feet are as the joints' series leave them
+    int harmonics = 5;       ///< of joints and translations [Limit: 1 to k_most_harmonics]
+    int foot_harmonics = 8;  ///< of the feet [Limit: 1 to k_most_harmonics]
+    float foot_lift = 0.6f;  ///< (0, 1) share of a foot's series that is its stance
+    float foot_hold = 0;     ///< share of a stance for which the series hold the foot still [Limit: 0.5 to 1]; 0: none
+    std::vector<Quat> mean;  ///< [joint]
     std::vector<std::int16_t> moving;          ///< joints whose translation has a series, ascending; others rest
     std::array<Quat, 2> foot_mean, toes_mean;  ///< by Side: of the foot in the root's frame, of the toes in the foot's
     GaitBasis basis;
