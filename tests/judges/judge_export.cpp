@@ -1,6 +1,6 @@
 // Writes .glb files, and beside each animation the world positions that we mean, for judge.mjs to compare.
 //
-//   judge_export FOLDER [CLIPS...]     the generated clips, and those of files in any format
+//   judge_export FOLDER [CLIPS...]     the default set, and those of files in any format
 //   judge_export FOLDER wrong          what the judges must object to
 //   judge_export FOLDER read PATHS...  copies of .glb files of ours, with the positions that we read from them
 //

@@ -1,8 +1,8 @@
 // What the runtime does with a project, for preview.mjs to hold the report's page against.
 //
-//     preview_export FOLDER [CLIPS...]     authors the generated set, or CLIPS, into FOLDER; writes FOLDER/runtime.json
+//     preview_export FOLDER [CLIPS...]     authors the default set, or CLIPS, into FOLDER; writes FOLDER/runtime.json
 //     preview_export FOLDER wrong          the same with one joint of one moment put 3 cm away
-//     preview_export FOLDER sliced         the generated set in one space of three dimensions
+//     preview_export FOLDER sliced         the default set in one space of three dimensions
 //     preview_export FOLDER sliced-wrong   the same with one corner of one slice moved
 //
 // runtime.json: [{"space": 0, "at": [..], "dt", "moments": [{"steps", "weights": {clip: w}, "phase_rate", "root": [x,
