@@ -11,21 +11,28 @@ grep -qF "$mark" "$doc" || { echo "$doc has no line '$mark'" >&2; exit 1; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-"$program" author --synthetic -o "$work/biped" >/dev/null
-walk() { "$program" walk "$work/biped" --all --markdown "$@" >"$work/table" || [ $? -eq 1 ]; }  # 1: some mark is missed
-rows() { sed '/^$/,$d' "$work/table"; }
-misses() { sed '1,/^How many/d' "$work/table" | sed '/^$/d'; }
+for set in synthetic default; do "$program" author --$set -o "$work/$set" >/dev/null 2>&1; done
+# Rows to $work/rows, misses to $work/misses. Exit code 1: some mark is missed.
+walk() {
+  "$program" walk "$work/$1" --all --markdown "${@:2}" >"$work/table" 2>/dev/null || [ $? -eq 1 ]
+  sed '/^$/,$d' "$work/table" >"$work/rows"
+  sed '1,/^How many/d;/^$/d' "$work/table" >"$work/misses"
+}
 {
-  sed "/^$mark\$/,\$d" "$doc"
+  awk -v mark="$mark" '$0 == mark { exit } { print }' "$doc"
   echo "$mark"
-  walk --ik surefoot
-  rows >"$work/every"
-  printf '\n## How many walks miss each mark, mode surefoot\n\n'
-  misses
-  walk --path straight --speed 1.4
-  printf '\n## Straight ahead at 1.4 m/s, in three modes\n\n'
-  rows
-  printf '\n## Every walk in mode surefoot\n\n'
-  cat "$work/every"
+  for set in synthetic default; do
+    walk $set --ik surefoot
+    printf '\n## `author --%s`: how many walks miss each mark\n\n' $set
+    cat "$work/misses"
+    cp "$work/rows" "$work/$set.rows"
+  done
+  walk synthetic --path straight --speed 1.4
+  printf '\n## `author --synthetic`: straight ahead at 1.4 m/s, in three modes\n\n'
+  cat "$work/rows"
+  for set in synthetic default; do
+    printf '\n## `author --%s`: every walk in mode surefoot\n\n' $set
+    cat "$work/$set.rows"
+  done
 } >"$work/doc"
 mv "$work/doc" "$doc"

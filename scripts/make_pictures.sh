@@ -57,4 +57,8 @@ node scripts/view_glb.mjs "$work"/{child,adult,long_arms,toe_walker,giant}.glb d
 node scripts/view_glb.mjs "$work"/{adult,giant,toe_walker}.glb docs/images/rig_bends.jpg --across --views three,side \
   --size 400 --span 3 --follow off --turn "LeftUpperLeg:-95,0,0;LeftLowerLeg:120,0,0;RightUpperLeg:20,0,0;\
 RightLowerLeg:60,0,0;LeftUpperArm:0,0,75;RightUpperArm:0,0,70;LeftLowerArm:0,-120,0;RightLowerArm:0,100,0;Spine:12,20,0"
+# The figures 7 to 10 of the paper on foot placement, out of the page of `walk --all`. Exit code 1: some mark is missed.
+"$program" author --synthetic -o "$work/biped" >/dev/null
+"$program" walk "$work/biped" --all --course hills --path straight --speed 1.4 -o "$work/walks.html" >/dev/null || [ $? -eq 1 ]
+node scripts/shoot_page.mjs "$work/walks.html" .papers docs/images/colvin_figures.png
 ls -l docs/images

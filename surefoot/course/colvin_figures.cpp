@@ -14,12 +14,12 @@ namespace {
 
 using Out = std::back_insert_iterator<std::string>;
 
-constexpr float k_width = 560, k_height = 430;             // [px]
+constexpr float k_width = 560, k_height = 450;             // [px]
 constexpr float k_from_ahead = 30 * k_radians_per_degree;  // of the camera
 constexpr float k_rather_from_ahead = 62 * k_radians_per_degree;
 constexpr float k_from_above = 14 * k_radians_per_degree;
-constexpr float k_around = 0.875f, k_cell = 0.125f;  // [m] of ground shown
-constexpr float k_axis = 0.2f;                       // [m] arms of a triad
+constexpr float k_around = 0.75f, k_cell = 0.125f;  // [m] of ground shown
+constexpr float k_axis = 0.2f;                      // [m] arms of a triad
 constexpr float k_degrees = static_cast<float>(180 / k_pi);
 constexpr const char* k_sides[] = {"left", "right"};
 
@@ -39,7 +39,7 @@ class Picture {
         right_ = normalized(cross(look_, k_up));
         up_ = cross(right_, look_);
         const float leg = study.legs.side[0].length();
-        scale_ = 178 / leg;
+        scale_ = 168 / leg;
         middle_ = moment.root.position + k_up * (0.83f * leg);
     }
 
@@ -230,14 +230,14 @@ std::string figure_9(const ColvinStudy& study, const RoleMap& roles) {
     Picture picture(study, m, roles, k_rather_from_ahead);
     picture.ground();
     picture.body(m.placed, "solid", m.side);
-    picture.leg(leg.hip, leg.knee, leg.ankle, m.side, "ghost");
     picture.leg(leg.hip, leg.hip + trace.swung.knee, leg.hip + trace.swung.ankle, m.side, "solid");
+    picture.leg(leg.hip, leg.knee, leg.ankle, m.side, "outline");
     picture.arrow(leg.target, leg.target + along * -0.45f, "about", "axis of the twist");
-    return picture.figure(
-        9, "The foot is there, the knee is not",
-        fmt::format("After the swing the plane of the knee is {:.1f}° from the animated one (pale). What is left is a "
-                    "turn about hip to foot, which keeps the foot where it is.",
-                    knee_plane_deg(leg, trace.swung.knee)));
+    return picture.figure(9, "The foot is there, the knee is not",
+                          fmt::format("After the swing the plane of the knee is {:.1f}° from the animated one (the "
+                                      "thin dashed leg). What is left is a "
+                                      "turn about hip to foot, which keeps the foot where it is.",
+                                      knee_plane_deg(leg, trace.swung.knee)));
 }
 
 std::string figure_10(const ColvinStudy& study, const RoleMap& roles) {
