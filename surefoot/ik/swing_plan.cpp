@@ -19,7 +19,7 @@ constexpr float k_overshoot = 0.16f;     // [m] at most
 constexpr int k_most_given_up = 7;       // samples
 constexpr float k_low = 0.015f;          // [m] a hump this low is good enough: no shift is tried
 constexpr std::array k_shifts{-0.08f, 0.0f, 0.08f};  // [m] that are tried, early and late
-constexpr float k_shift_worth = 0.9f;                             // of the cost without: smaller gains are left alone
+constexpr float k_shift_worth = 0.9f;                // of the cost without: smaller gains are left alone
 
 class Clearance {
   public:
