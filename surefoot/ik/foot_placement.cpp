@@ -16,6 +16,7 @@ constexpr float k_too_late = 0.06f;            // [s] before a strike nothing is
 constexpr float k_fade_stiffness = 20;  // [1/s] of the spring on the weight: nine tenths within a fifth of a second
 constexpr float k_faded = 2e-3f;        // as good as there: half a millimetre of a foot 25 cm off
 constexpr float k_flat = 0.035f, k_most_drift = 0.1f;  // of the leg's length
+constexpr float k_rest_stiffness = 14;                 // [1/s]
 constexpr float k_hold = 12;                           // [1/s]
 constexpr float k_spring_step = 1.0f / 60;             // [s] the forecast's step: longer frames are cut into such
 
@@ -147,7 +148,25 @@ void advance(const FootRig& rig, FootPlacementState& state, float dt) noexcept {
     for (int i = 0; i < steps; ++i) {
         state.clock += static_cast<double>(step);
         state.base.step(state.line.at(state.clock + lead), stiffness, step);
+        state.hips_rest.step(0, k_rest_stiffness, step);
     }
+}
+
+/// A new plan may find that the legs are short at once, where steering changed or ground came into sight late: the hips
+/// go there as smoothly as they can.
+void plan_smoothly(const FootRig& rig, FootPlacementState& state, const GroundProbe& probe,
+                   const LegPreview& preview) noexcept {
+    constexpr float k_moment = 1.0f / 120;  // [s]
+    const auto now = [&] { return state.limiter.at(state.clock); };
+    const auto rate = [&] {
+        return (state.limiter.at(state.clock + static_cast<double>(k_moment)) - now()) * (1 / k_moment);
+    };
+    const bool goes_on = state.started;
+    const float value_before = now(), rate_before = rate();
+    plan_feet(rig, state, probe, preview);
+    if (!goes_on) return;
+    state.hips_rest.value += value_before - now();
+    state.hips_rest.rate += rate_before - rate();
 }
 
 /// A foot that stands flat on a foothold that was sought out stays there though the clip's own foot drifts, as it does
@@ -181,10 +200,10 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
             state.next_check = state.clock + k_check_interval;
         }
     }
-    if (plan) plan_feet(rig, state, probe, preview);
+    if (plan) plan_smoothly(rig, state, probe, preview);
     if (rig.settings.limit_pace) keep_pace(rig, state, input, probe, preview);
 
-    const float hips = state.base.value + state.limiter.at(state.clock);
+    const float hips = state.base.value + state.limiter.at(state.clock) + state.hips_rest.value;
     output = {};
     output.speed_limit = state.pace.limit;
     output.moves_legs = true;

@@ -127,6 +127,7 @@ struct FootPlacementState {
     FootholdLine line;
     HeightSpring base;  ///< of the hips, before the legs' reach
     HipLimiter limiter;
+    HeightSpring hips_rest;  ///< what a new plan took from under the hips' way, fading
     PaceState pace;
     Vec3 ground_velocity;        ///< [m/s] see FootOutput
     HeightSpring weight{-1, 0};  ///< of all this, eased; -1: not known yet

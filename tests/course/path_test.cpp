@@ -112,6 +112,15 @@ TEST(Path, curving_over_hills_feet_stand_as_they_do_going_straight) {
     EXPECT_LT(ours.skate_cm_s, c.metrics[0].skate_cm_s + 0.5);
 }
 
+TEST(Path, where_steering_stops_and_starts_on_a_slope_the_hips_stay_calm) {
+    for (const char* name : {"slope_up", "slope_down", "ledge", "hills"}) {
+        const auto walker = make_character_walker(character(), {}, walk_path("start-stop", 16));
+        const WalkMetrics ours = compare_modes(*walker, *make_course(name).ground, 1.4f, 16).metrics[2];
+        EXPECT_LT(ours.hip_jerk_ratio, 2) << name;
+        EXPECT_EQ(ours.over_extensions, 0) << name;
+    }
+}
+
 TEST(Pace, stairs_are_taken_in_steps_that_fit_them_and_without_the_limit_knees_fold) {
     for (const char* name : {"stairs_up", "stairs_down"}) {
         const Course stairs = make_course(name);
