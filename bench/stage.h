@@ -46,7 +46,9 @@ inline PackedClip make_clip(const Skeleton& skeleton, std::uint64_t seed, Vec3 v
     clip.moving = {0};
     const auto frames = static_cast<std::size_t>(clip.frame_count),
                blocks = static_cast<std::size_t>(clip.block_count());
-    clip.rotations.resize(frames * blocks * 4 * k_lanes);
+    std::vector<std::int16_t> rotations(frames * blocks * 4 * k_lanes);
+    std::vector<Vec3> translations;
+    std::vector<RootFrame> root;
     for (int j = 0; j < clip.joint_count; ++j) {
         const Quat a = turned(random, 0.6f), rest = skeleton.rest[static_cast<std::size_t>(j)].rotation;
         const float shift = random.between(0, 6);
@@ -54,15 +56,18 @@ inline PackedClip make_clip(const Skeleton& skeleton, std::uint64_t seed, Vec3 v
             const float t = static_cast<float>(f) / static_cast<float>(frames - 1) * 6.2831853f + shift;
             const Quat q = aligned(rest * slerp({}, a, sin(t)), rest);
             const std::size_t block = f * blocks + static_cast<std::size_t>(j / k_lanes);
-            std::int16_t* to = clip.rotations.data() + block * 4 * k_lanes + j % k_lanes;
+            std::int16_t* to = rotations.data() + block * 4 * k_lanes + j % k_lanes;
             const float values[4] = {q.x, q.y, q.z, q.w};
             for (int k = 0; k < 4; ++k) to[k * k_lanes] = static_cast<std::int16_t>(std::lround(values[k] * 32767.0f));
         }
     }
     for (std::size_t f = 0; f < frames; ++f) {
-        clip.translations.push_back({0, 1, 0.02f * sin(0.1f * static_cast<float>(f))});
-        clip.root.push_back(integrate(velocity, turn, static_cast<float>(f) / 60));
+        translations.push_back({0, 1, 0.02f * sin(0.1f * static_cast<float>(f))});
+        root.push_back(integrate(velocity, turn, static_cast<float>(f) / 60));
     }
+    clip.rotations = std::move(rotations);
+    clip.translations = std::move(translations);
+    clip.root = std::move(root);
     clip.travel = clip.root.back();
     clip.cycles = 1;
     clip.phase_map = {{0.0f, 0.0f}, {0.49f, 0.5f}, {1.0f, 1.0f}};

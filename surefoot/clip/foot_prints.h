@@ -5,6 +5,7 @@
 // clip. So each frame's foot is kept as it is seen from where the steady root is at the *middle of the stance*: there
 // a standing foot is one constant frame, its print, whatever the clip's speed and turn.
 
+#include <surefoot/base/table.h>
 #include <surefoot/math/transform.h>
 
 #include <vector>
@@ -37,7 +38,7 @@ constexpr float foot_age(const FootStep& step, const FootStep& next, float elaps
 }
 
 struct FootPrints {
-    std::vector<FootKey> keys;    ///< one a frame; empty where the clip has none
+    Table<FootKey> keys;          ///< one a frame; empty where the clip has none
     std::vector<FootStep> steps;  ///< one a cycle, the first from the strike of phase 0 (left) or 0.5 (right) on
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 // The runtime form of a clip: 16-bit rotations in blocks of eight joints, the few translations that move, root motion
-// and phase apart. Immutable, shared by all characters. Made by pack/pack_clip.h, which also measures the error.
+// and phase apart. Immutable, shared by all characters. Made by pack/pack_clip.h, which also measures the error. What
+// grows with its frames lies in tables, which a copy of the clip shares.
 
 #include <surefoot/clip/foot_prints.h>
 #include <surefoot/math/transform.h>
@@ -24,19 +25,19 @@ struct PackedClip {
 
     /// [frame][block][x8 y8 z8 w8], value = q * 32767. Each joint is continuous over the clip and, as long as it stays
     /// within half a revolution of it, on the hemisphere of the skeleton's rest rotation.
-    std::vector<std::int16_t> rotations;
+    Table<std::int16_t> rotations;
     /// One flag a block (empty: none is set): some joint in it turns more than half a revolution from rest, so that
     /// its signs have to be tested when it is blended with another clip.
     std::vector<std::uint8_t> turning_blocks;
     /// Joints whose translation differs from rest somewhere in the clip, ascending; the others are at rest.
     std::vector<std::int16_t> moving;
     /// [frame][moving joint] metres.
-    std::vector<Vec3> translations;
+    Table<Vec3> translations;
 
     /// [frame] relative to the first frame; within the clip continuous, over the cycle it accumulates `travel`. Clips
     /// packed for blending move steadily: root[f] is `velocity` and `turn_rate` integrated over f / fps, exactly, and
     /// what the actor did beside that (a breath of speed within the step) is in the pose.
-    std::vector<RootFrame> root;
+    Table<RootFrame> root;
     RootFrame start;      ///< the source's first root frame seen from root[0] (a steady root starts where it fits best)
     RootFrame travel;     ///< root of the last frame seen from the first: what one pass adds
     Vec3 velocity;        ///< [m/s] of the root, in the root's own frame

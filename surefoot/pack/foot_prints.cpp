@@ -60,6 +60,7 @@ FootPrints make_track(const PackedClip& clip, const Skeleton& skeleton, const Le
     const std::size_t joints = skeleton.rest.size();
     std::vector<Transform> models(joints);
     FootPrints track;
+    std::vector<FootKey> keys;
     if (clip.cycles > 0) track.steps = make_steps(clip, facts, side);
     for (int f = 0; f < clip.frame_count; ++f) {
         const std::span<const Transform> frame = locals.subspan(static_cast<std::size_t>(f) * joints, joints);
@@ -70,12 +71,13 @@ FootPrints make_track(const PackedClip& clip, const Skeleton& skeleton, const Le
                     models[static_cast<std::size_t>(leg.foot)];
         if (leg.toes != k_no_joint) key.toes = frame[static_cast<std::size_t>(leg.toes)].rotation;
         // Keys of one hemisphere each may be mixed without looking at signs.
-        if (!track.keys.empty()) {
-            key.print.rotation = aligned(key.print.rotation, track.keys.back().print.rotation);
-            key.toes = aligned(key.toes, track.keys.back().toes);
+        if (!keys.empty()) {
+            key.print.rotation = aligned(key.print.rotation, keys.back().print.rotation);
+            key.toes = aligned(key.toes, keys.back().toes);
         }
-        track.keys.push_back(key);
+        keys.push_back(key);
     }
+    track.keys = std::move(keys);
     return track;
 }
 

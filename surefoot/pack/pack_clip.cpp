@@ -43,12 +43,12 @@ JointTrack joint_track(const std::vector<Transform>& locals, std::size_t joints,
 void pack_rotations(PackedClip& clip, const Skeleton& skeleton, const std::vector<Transform>& locals) {
     const std::size_t joints = skeleton.rest.size(), blocks = static_cast<std::size_t>(clip.block_count());
     const std::size_t frames = static_cast<std::size_t>(clip.frame_count), frame_size = blocks * 4 * k_lanes;
-    clip.rotations.assign(frames * frame_size, 0);
+    std::vector<std::int16_t> rotations(frames * frame_size, 0);
     for (std::size_t j = 0; j < blocks * k_lanes; ++j) {
         const std::size_t block = j / k_lanes, lane = j % k_lanes;
         if (j >= joints) {  // lanes without a joint hold the identity
             for (std::size_t f = 0; f < frames; ++f)
-                clip.rotations[f * frame_size + block * 4 * k_lanes + 3 * k_lanes + lane] = to_int16(1);
+                rotations[f * frame_size + block * 4 * k_lanes + 3 * k_lanes + lane] = to_int16(1);
             continue;
         }
         const JointTrack track = joint_track(locals, joints, j, skeleton.rest[j].rotation);
@@ -58,13 +58,14 @@ void pack_rotations(PackedClip& clip, const Skeleton& skeleton, const std::vecto
         }
         for (std::size_t f = 0; f < frames; ++f) {
             const Quat q = track.rotations[f];
-            std::int16_t* to = clip.rotations.data() + f * frame_size + block * 4 * k_lanes + lane;
+            std::int16_t* to = rotations.data() + f * frame_size + block * 4 * k_lanes + lane;
             to[0] = to_int16(q.x);
             to[k_lanes] = to_int16(q.y);
             to[2 * k_lanes] = to_int16(q.z);
             to[3 * k_lanes] = to_int16(q.w);
         }
     }
+    clip.rotations = std::move(rotations);
 }
 
 void pack_translations(PackedClip& clip, const Skeleton& skeleton, const std::vector<Transform>& locals, float least) {
@@ -75,9 +76,11 @@ void pack_translations(PackedClip& clip, const Skeleton& skeleton, const std::ve
             moves = distance(locals[at].translation, skeleton.rest[j].translation) > least;
         if (moves) clip.moving.push_back(static_cast<std::int16_t>(j));
     }
+    std::vector<Vec3> translations;
     for (std::size_t at = 0; at < locals.size(); at += joints)
         for (const std::int16_t j : clip.moving)
-            clip.translations.push_back(locals[at + static_cast<std::size_t>(j)].translation);
+            translations.push_back(locals[at + static_cast<std::size_t>(j)].translation);
+    clip.translations = std::move(translations);
 }
 
 // Strikes alternate between the feet in a sound cycle. Where an event is doubtful (two of one foot in a row) the clip
@@ -146,15 +149,17 @@ PackedClip pack_clip(const Motion& given, const ClipFacts& facts, const PackOpti
     clip.velocity = steady.velocity;
     clip.turn_rate = steady.turn_rate;
     std::vector<Transform> locals = motion.locals;
+    std::vector<RootFrame> root;
     if (options.steady_root) {
         locals = with_deviation(motion, steady.deviation);
         for (int f = 0; f < clip.frame_count; ++f)
-            clip.root.push_back(integrate(clip.velocity, clip.turn_rate, static_cast<float>(f) / clip.fps));
-        clip.travel = clip.root.back();
+            root.push_back(integrate(clip.velocity, clip.turn_rate, static_cast<float>(f) / clip.fps));
+        clip.travel = root.back();
         clip.start = steady.deviation.front();
     } else {
-        for (const RootFrame& root : motion.root) clip.root.push_back(between(motion.root.front(), root));
+        for (const RootFrame& frame : motion.root) root.push_back(between(motion.root.front(), frame));
     }
+    clip.root = std::move(root);
     pack_rotations(clip, *motion.skeleton, locals);
     pack_translations(clip, *motion.skeleton, locals, options.moving_translation);
     pack_phase(clip, facts);

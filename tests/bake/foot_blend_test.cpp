@@ -261,7 +261,7 @@ TEST(FootPrints, steps_tell_stance_and_swing_of_the_cycle) {
 TEST(FootPrints, tracks_that_do_not_fit_their_clip_are_found) {
     PackedClip clip = default_character().graph.clips[1];
     ASSERT_EQ(problem(clip), "");
-    clip.feet[1].keys.pop_back();
+    clip.feet[1].keys.edit([](std::vector<FootKey>& keys) { keys.pop_back(); });
     EXPECT_NE(problem(clip).find("footprint track"), std::string::npos);
     clip = default_character().graph.clips[1];
     clip.feet[0].steps.push_back({});

@@ -227,8 +227,10 @@ TEST(ClipRoot, passes_add_up) {
     Random random(11);
     const Skeleton skeleton = random_skeleton(random, 3);
     PackedClip clip = random_clip(random, skeleton, 31);
-    for (int f = 0; f <= 30; ++f)
-        clip.root[static_cast<std::size_t>(f)] = {{0, 0, 0.05f * static_cast<float>(f)}, 0.02f * static_cast<float>(f)};
+    clip.root.edit([](std::vector<RootFrame>& root) {
+        for (int f = 0; f <= 30; ++f)
+            root[static_cast<std::size_t>(f)] = {{0, 0, 0.05f * static_cast<float>(f)}, 0.02f * static_cast<float>(f)};
+    });
     clip.travel = clip.root.back();
     const RootFrame thrice = clip.travel * clip.travel * clip.travel * clip.root[15];
     const RootFrame got = clip_root(clip, 3.5f);
@@ -243,16 +245,17 @@ TEST(PackedClip, each_fault_is_told) {
     const Stage stage = random_stage(12, 9, 1);
     const PackedClip& sound = stage.clips[0];
     EXPECT_EQ(problem(sound), "");
+    const auto shorten = [](auto& table) { table.edit([](auto& values) { values.pop_back(); }); };
     const auto fault = [&](auto change) {
         PackedClip clip = sound;
         change(clip);
         return problem(clip);
     };
     EXPECT_NE(fault([](auto& c) { c.frame_count = 1; }).find("fewer than two frames"), std::string::npos);
-    EXPECT_NE(fault([](auto& c) { c.rotations.pop_back(); }).find("rotations"), std::string::npos);
+    EXPECT_NE(fault([&](auto& c) { shorten(c.rotations); }).find("rotations"), std::string::npos);
     EXPECT_NE(fault([](auto& c) { c.moving[1] = 9; }).find("moving joints"), std::string::npos);
-    EXPECT_NE(fault([](auto& c) { c.translations.pop_back(); }).find("translations"), std::string::npos);
-    EXPECT_NE(fault([](auto& c) { c.root.pop_back(); }).find("root"), std::string::npos);
+    EXPECT_NE(fault([&](auto& c) { shorten(c.translations); }).find("translations"), std::string::npos);
+    EXPECT_NE(fault([&](auto& c) { shorten(c.root); }).find("root"), std::string::npos);
     EXPECT_NE(fault([](auto& c) { c.phase_map[1][1] = 0.1f; }).find("ascend"), std::string::npos);
     EXPECT_NE(fault([](auto& c) { c.cycles = 0; }).find("cycle count"), std::string::npos);
     EXPECT_NE(fault([](auto& c) { c.fps = 0; }).find("frame rate"), std::string::npos);

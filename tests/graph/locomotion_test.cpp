@@ -472,7 +472,7 @@ TEST(Locomotion, faults_of_a_graph_are_told) {
     graph.lateral.axes[0] = RequestAxis::none;
     EXPECT_NE(problem(graph).find("that no request can set"), std::string::npos);
     graph = make_graph();
-    graph.clips[1].rotations.clear();
+    graph.clips[1].rotations = {};
     EXPECT_NE(problem(graph).find("rotations"), std::string::npos);
     EXPECT_NE(problem(LocomotionGraph{}).find("no skeleton"), std::string::npos);
 }

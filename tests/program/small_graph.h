@@ -30,11 +30,13 @@ inline Program small_program() {
     jump.cyclic = false;
     jump.cycles = 0;
     jump.phase_map.clear();
-    for (int f = 0; f < jump.frame_count; ++f) {
-        const float u = static_cast<float>(f) / 30;
-        for (int foot = 0; foot < 2; ++foot)
-            jump.translations[static_cast<std::size_t>(2 * f + foot)].y = -0.9f + 1.6f * u * (1 - u);
-    }
+    jump.translations.edit([&](std::vector<Vec3>& places) {
+        for (int f = 0; f < jump.frame_count; ++f) {
+            const float u = static_cast<float>(f) / 30;
+            for (int foot = 0; foot < 2; ++foot)
+                places[static_cast<std::size_t>(2 * f + foot)].y = -0.9f + 1.6f * u * (1 - u);
+        }
+    });
     program.body.clips.push_back(jump);
     program.body.clips.push_back(idle_clip(*skeleton, 0.5f, false));
     program.groups.push_back({"legs", {}});

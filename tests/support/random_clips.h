@@ -26,11 +26,14 @@ inline Skeleton random_skeleton(Random& random, int joints) {
     return s;
 }
 
-inline void set_rotation(PackedClip& clip, int frame, int joint, Quat q) {
+inline void set_rotation(std::vector<std::int16_t>& rotations, const PackedClip& clip, int frame, int joint, Quat q) {
     const int block = joint / k_lanes, lane = joint % k_lanes;
-    std::int16_t* to = clip.rotations.data() + (frame * clip.block_count() + block) * 4 * k_lanes + lane;
+    std::int16_t* to = rotations.data() + (frame * clip.block_count() + block) * 4 * k_lanes + lane;
     const float values[4] = {q.x, q.y, q.z, q.w};
     for (int k = 0; k < 4; ++k) to[k * k_lanes] = static_cast<std::int16_t>(std::lround(values[k] * 32767.0f));
+}
+inline void set_rotation(PackedClip& clip, int frame, int joint, Quat q) {
+    clip.rotations.edit([&](std::vector<std::int16_t>& rotations) { set_rotation(rotations, clip, frame, joint, q); });
 }
 inline Quat get_rotation(const PackedClip& clip, int frame, int joint) {
     const int block = joint / k_lanes, lane = joint % k_lanes;
@@ -47,24 +50,29 @@ inline PackedClip random_clip(Random& random, const Skeleton& skeleton, int fram
     clip.frame_count = frames;
     clip.joint_count = skeleton.joint_count();
     clip.cyclic = true;
-    clip.rotations.resize(static_cast<std::size_t>(frames * clip.block_count() * 4 * k_lanes));
+    std::vector<std::int16_t> rotations(static_cast<std::size_t>(frames * clip.block_count() * 4 * k_lanes));
+    std::vector<Vec3> translations;
+    std::vector<RootFrame> root;
     clip.moving.push_back(0);
     if (skeleton.joint_count() > 5) clip.moving.push_back(5);
     for (int f = 0; f < frames; ++f) {
         for (int j = 0; j < clip.block_count() * k_lanes; ++j) {
             if (j >= clip.joint_count) {
-                set_rotation(clip, f, j, {});
+                set_rotation(rotations, clip, f, j, {});
                 continue;
             }
             const Quat rest = skeleton.rest[static_cast<std::size_t>(j)].rotation;
-            set_rotation(clip, f, j, aligned(rest * random_rotation(random, swing), rest));
+            set_rotation(rotations, clip, f, j, aligned(rest * random_rotation(random, swing), rest));
         }
         for (const std::int16_t j : clip.moving)
-            clip.translations.push_back(
+            translations.push_back(
                 skeleton.rest[static_cast<std::size_t>(j)].translation +
                 Vec3{random.between(-0.1f, 0.1f), random.between(-0.1f, 0.1f), random.between(-0.1f, 0.1f)});
-        clip.root.push_back({{0, 0, static_cast<float>(f) / clip.fps}, 0});
+        root.push_back({{0, 0, static_cast<float>(f) / clip.fps}, 0});
     }
+    clip.rotations = std::move(rotations);
+    clip.translations = std::move(translations);
+    clip.root = std::move(root);
     clip.velocity = {0, 0, 1};
     clip.travel = clip.root.back();
     clip.cycles = 1;

@@ -56,15 +56,21 @@ inline PackedClip gait_clip(const Skeleton& skeleton, const Gait& gait, const st
     clip.moving = {1, 2};
     clip.velocity = gait.velocity;
     clip.turn_rate = gait.turn;
+    std::vector<std::int16_t> rotations;
+    std::vector<Vec3> translations;
+    std::vector<RootFrame> root;
     for (int f = 0; f < gait.frames; ++f) {
-        for (int k = 0; k < 4 * k_lanes; ++k) clip.rotations.push_back(k / k_lanes == 3 ? 32767 : 0);
+        for (int k = 0; k < 4 * k_lanes; ++k) rotations.push_back(k / k_lanes == 3 ? 32767 : 0);
         const float t = static_cast<float>(f) / static_cast<float>(gait.frames - 1) + gait.start;
         const auto after = [&](float strike) { return t - strike - std::floor(t - strike); };
         // The right foot's cycle begins at its strike.
         for (const auto& [share, side] : {std::pair{after(0), 0.1f}, std::pair{after(gait.right), -0.1f}})
-            clip.translations.push_back(foot_place(gait, share, side) - skeleton.rest[0].translation);
-        clip.root.push_back(integrate(gait.velocity, gait.turn, static_cast<float>(f) / clip.fps));
+            translations.push_back(foot_place(gait, share, side) - skeleton.rest[0].translation);
+        root.push_back(integrate(gait.velocity, gait.turn, static_cast<float>(f) / clip.fps));
     }
+    clip.rotations = std::move(rotations);
+    clip.translations = std::move(translations);
+    clip.root = std::move(root);
     clip.travel = clip.root.back();
     clip.cycles = 1;
     if (gait.start == 0) {
