@@ -11,6 +11,7 @@
 #include <surefoot/motion/edit.h>
 #include <surefoot/motion/root_motion.h>
 #include <surefoot/preset/default_set.h>
+#include <surefoot/program/evaluate.h>
 #include <surefoot/space/triangulate.h>
 #include <surefoot/synthetic/synthetic_set.h>
 
@@ -102,8 +103,8 @@ std::uint64_t space_scenario() {
     return hash;
 }
 
-/// The generated clips measured, baked, and steered over hills with the feet on the ground, ten seconds.
-std::uint64_t walk_scenario() {
+/// The generated clips measured and baked.
+Character scenario_character() {
     const ClipSet set = make_synthetic_set();
     std::vector<AnalyzedClip> clips;
     ProjectSpace facing;
@@ -116,10 +117,62 @@ std::uint64_t walk_scenario() {
         clips.push_back(std::move(clip));
     }
     triangulate(facing.space);
-    const Character character = bake_character(clips, {&facing, 1}, "scenario");
+    return bake_character(clips, {&facing, 1}, "scenario");
+}
+
+/// Steered over hills with the feet on the ground, ten seconds.
+std::uint64_t walk_scenario(const Character& character) {
     const std::unique_ptr<Walker> walker = make_character_walker(character);
     const Walked walked = walk(*walker, *make_course("hills").ground, {1.4f, 10, FootMode::surefoot});
     return hash_worlds(walked.motion);
+}
+
+/// Between the blend space and a clip that plays in step, by an inertialized transition there and a feathered one back;
+/// mirrored at times; ten seconds, states and poses.
+std::uint64_t program_scenario(const Character& character) {
+    Program program;
+    program.body = character.graph;
+    program.mirror = mirror_map(*character.skeleton, character.roles);
+    program.parameters = {{"speed", "m/s", ParameterKind::number, 0, -1, 5, 2.5f, 0},
+                          {"turn", "deg/s", ParameterKind::number, 0, -90, 90, 240, 0},
+                          {"left", "", ParameterKind::flag, 0, 0, 1, 0, 0}};
+    program.groups = {{"legs", {}}};
+    LocomotionNode move;
+    move.speed = {0, 1, 0};
+    move.turn = {0, 1, 1};
+    ClipNode step;
+    step.clip = 2;
+    step.group = 0;
+    Condition fast{ConditionKind::compare, 0, Comparison::greater, 1.5f, 0}, slow = fast;
+    slow.comparison = Comparison::less;
+    Transition there{"there", 0, 1, 0.4f, Curve::smoothstep, TransitionKind::inertialize, {}, {}, -1, 0, {fast}};
+    Transition back{"back", 1, 0, 0.3f, Curve::linear, TransitionKind::feather, {}, {}, -1, 0, {slow}};
+    const int from = add_node(program, "/move", move, {}), to = add_node(program, "/step", step, {});
+    const int machine = add_node(program, "/machine", MachineNode{{"move", "step"}, {there, back}, 0}, {from, to});
+    add_node(program, "/mirror", MirrorNode{{0, 1, 2}}, {machine});
+    lay_out(program);
+    if (const std::string text = problem(program); !text.empty()) throw Error(text, "the scenario", "");
+
+    GraphScratch scratch(program);
+    GraphFrame frame(program);
+    std::vector<std::byte> state(program.state_size);
+    std::vector<Transform> locals(character.skeleton->rest.size());
+    start(program, state);
+    RootFrame root;
+    std::uint64_t hash = hash_bytes({});
+    for (int f = 0; f < 600; ++f) {
+        set(program, state, 0, f / 100 % 2 == 0 ? 2.5f : 0.8f);
+        set(program, state, 1, f / 150 % 2 == 0 ? 30.0f : -20.0f);
+        set(program, state, 2, f / 220 % 2 == 0 ? 0.0f : 1.0f);
+        GraphInput input;
+        input.dt = 1.0f / 60;
+        input.root = root;
+        update(program, state, input, scratch, frame);
+        root = root * frame.root_delta;
+        pose(program, state, frame, scratch, locals);
+        hash = hash_span<Transform>(locals, hash_span<std::byte>(state, hash_span<RootFrame>({&root, 1}, hash)));
+    }
+    return hash;
 }
 
 }  // namespace
@@ -129,7 +182,9 @@ std::string run_scenarios() {
     text += "synthetic " + hex(set_scenario(make_synthetic_set())) + "\n";
     text += "default " + hex(set_scenario(make_default_set())) + "\n";
     text += "motion " + hex(motion_scenario()) + "\n";
-    text += "walk " + hex(walk_scenario()) + "\n";
+    const Character character = scenario_character();
+    text += "walk " + hex(walk_scenario(character)) + "\n";
+    text += "program " + hex(program_scenario(character)) + "\n";
     text += "space " + hex(space_scenario()) + "\n";
     return text;
 }

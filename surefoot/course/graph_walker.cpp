@@ -14,6 +14,7 @@ struct Going {
     std::vector<std::byte> state;
     RootFrame root;
     RootFrame requested;
+    float feet = 1;  ///< GraphFrame::feet
 };
 
 class GraphWalker final : public Walker {
@@ -26,7 +27,8 @@ class GraphWalker final : public Walker {
           scratch_(program_),
           frame_(program_),
           speed_(program_.parameter("speed")),
-          turn_(program_.parameter("turn")) {
+          turn_(program_.parameter("turn")),
+          surface_(program_.parameter("surface")) {
         now_.state.resize(program_.state_size);
     }
     const std::shared_ptr<const Skeleton>& skeleton() const override { return program_.body.skeleton; }
@@ -54,7 +56,11 @@ class GraphWalker final : public Walker {
         steer();
         foresight_.begin(now_);
     }
+    void stand_on(std::uint32_t surface) noexcept override {
+        set(program_, now_.state, surface_, static_cast<float>(surface));
+    }
     RootFrame requested() const noexcept override { return now_.requested; }
+    float feet() const noexcept override { return now_.feet; }
     /// States stay as they are and parameters go where they are going: no later leg of the path is known.
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
         const Going& there =
@@ -77,6 +83,7 @@ class GraphWalker final : public Walker {
         update(program_, going.state, input, scratch_, frame_);
         going.root = going.root * frame_.root_delta;
         going.root.position.y = 0;
+        going.feet = frame_.feet;
         const Vec3 velocity{0, 0, get(program_, going.state, speed_)};
         const float turn = get(program_, going.state, turn_) * k_radians_per_degree;
         going.requested = going.requested * integrate(velocity, turn, dt);
@@ -88,7 +95,7 @@ class GraphWalker final : public Walker {
     std::vector<PathLeg> path_;
     mutable GraphScratch scratch_;
     mutable GraphFrame frame_;
-    int speed_, turn_;
+    int speed_, turn_, surface_;
     float asked_speed_ = 0, limit_ = k_no_speed_limit;  // [m/s]
     PathClock clock_;
     Going now_;

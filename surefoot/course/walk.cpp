@@ -117,12 +117,16 @@ Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request, co
         FootInput input;
         input.dt = f ? k_dt : 0;
         input.root = root;
+        input.weight = walker.feet();
         input.legs = read_legs(rig, models);
         place_feet(rig, state, input, ground, &preview, output);
         apply(rig, output, models, locals);
         walked.speed_limit.push_back(speed_limit ? (*speed_limit)[static_cast<std::size_t>(f)] : output.speed_limit);
         walker.limit_speed(walked.speed_limit.back());
-        for (std::size_t side = 0; side < 2; ++side) walked.planted[side].push_back(output.planted[side]);
+        for (std::size_t side = 0; side < 2; ++side) {
+            walked.planted[side].push_back(output.planted[side]);
+            if (output.planted[side]) walker.stand_on(output.surface[side]);
+        }
     }
     walked.plans = state.plans;
     return walked;

@@ -9,6 +9,7 @@
 #include <surefoot/motion/motion.h>
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -33,8 +34,12 @@ class Walker {
     virtual void advance(float dt) noexcept = 0;
     /// From now on it goes no faster, whatever is asked for [m/s]. What cannot be steered does not heed it.
     virtual void limit_speed(float /*mps*/) noexcept {}
+    /// It stands on this now (GroundHit::surface).
+    virtual void stand_on(std::uint32_t /*surface*/) noexcept {}
     /// Where the root would be had it obeyed exactly.
     virtual RootFrame requested() const noexcept = 0;
+    /// How much of foot placement its motion asks for now, [0, 1]: nothing in jumps and falls.
+    virtual float feet() const noexcept { return 1; }
     /// The root in the world (y = 0) and the pose, `ahead` >= 0 seconds from now if nothing else is asked for.
     virtual void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept = 0;
 };
@@ -56,7 +61,7 @@ struct ParameterValue {
 };
 
 /// Steers a graph's character along `path` (none: straight ahead) by its parameters "speed" [m/s] and "turn" [deg/s],
-/// as far as it has them; `values` hold all the way. `character` must outlive the walker.
+/// as far as it has them; `values` hold all the way. A parameter "surface" is told what it stands on. `character` must outlive the walker.
 std::unique_ptr<Walker> make_graph_walker(const GraphCharacter& character, std::vector<ParameterValue> values = {},
                                           std::vector<PathLeg> path = {});
 

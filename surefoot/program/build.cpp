@@ -57,7 +57,9 @@ std::vector<std::int16_t> drifting_joints(const Program& program) {
     std::vector<bool> drifts(program.body.skeleton->rest.size(), false);
     for (const PackedClip& clip : program.body.clips)
         for (const std::int16_t joint : clip.moving) drifts[static_cast<std::size_t>(joint)] = true;
-    for (const auto& rig : program.rigs) drifts[static_cast<std::size_t>(rig->soles.hips)] = true;
+    for (const auto& rig : program.rigs)
+        if (rig && problem(*rig).empty() && rig->soles.hips < static_cast<int>(drifts.size()))
+            drifts[static_cast<std::size_t>(rig->soles.hips)] = true;
     std::vector<std::int16_t> joints;
     for (std::size_t j = 0; j < drifts.size(); ++j)
         if (drifts[j]) joints.push_back(static_cast<std::int16_t>(j));
@@ -114,12 +116,15 @@ class Check {
 
     std::string problem_of_body() const {
         const LocomotionGraph& body = program_.body;
-        if (!body.facing.empty() || !body.lateral.empty()) return problem(body);
-        if (std::string text = problem(*body.skeleton); !text.empty()) return text;
-        for (const PackedClip& packed : body.clips) {
-            if (std::string text = problem(packed); !text.empty()) return text;
-            if (packed.joint_count != body.skeleton->joint_count())
-                return "clip '" + packed.name + "' has another number of joints than the skeleton";
+        if (!body.facing.empty() || !body.lateral.empty()) {
+            if (std::string text = problem(body); !text.empty()) return text;
+        } else {
+            if (std::string text = problem(*body.skeleton); !text.empty()) return text;
+            for (const PackedClip& packed : body.clips) {
+                if (std::string text = problem(packed); !text.empty()) return text;
+                if (packed.joint_count != body.skeleton->joint_count())
+                    return "clip '" + packed.name + "' has another number of joints than the skeleton";
+            }
         }
         for (const auto& rig : program_.rigs) {
             if (!rig) return "a gait is missing";

@@ -257,6 +257,21 @@ TEST(Program, whatever_is_wrong_is_told_with_its_path) {
     EXPECT_EQ(broken([](Program& p) { p.parameters[0].initial = 11; }),
               "parameter 'speed' does not begin between low and high, or has a rate below 0");
     EXPECT_EQ(broken([](Program& p) { p.nodes.clear(); }), "the graph has no nodes");
+    EXPECT_EQ(broken([](Program& p) { p.rigs.push_back(nullptr); }), "a gait is missing");
+    const auto no_gait = std::make_shared<const LiveRig>();
+    EXPECT_EQ(broken([&](Program& p) { p.rigs.push_back(no_gait); }), "there is no gait");
+    EXPECT_EQ(broken([&](Program& p) {
+                  BlendSpace space;
+                  space.axes = {{"speed", "m/s", 0, 2, false}};
+                  space.samples = {{1.4f}};
+                  space.simplices = {{0, -1, -1, -1, -1}};
+                  space.neighbours = {{-1, -1, -1, -1, -1}};
+                  p.body = make_locomotion_graph(p.body.skeleton, p.body.clips, {space, {1}}, {});
+                  EXPECT_EQ(problem(p.body), "");
+                  p.rigs.push_back(no_gait);
+              }),
+              "there is no gait")
+        << "gaits are looked at whatever spaces there are";
 }
 
 }  // namespace
