@@ -61,7 +61,8 @@ struct ParameterValue {
 };
 
 /// Steers a graph's character along `path` (none: straight ahead) by its parameters "speed" [m/s] and "turn" [deg/s],
-/// as far as it has them; `values` hold all the way. A parameter "surface" is told what it stands on. `character` must outlive the walker.
+/// as far as it has them; `values` hold all the way. A parameter "surface" is told what it stands on. `character` must
+/// outlive the walker.
 std::unique_ptr<Walker> make_graph_walker(const GraphCharacter& character, std::vector<ParameterValue> values = {},
                                           std::vector<PathLeg> path = {});
 
