@@ -39,6 +39,8 @@ if(SUREFOOT_BUILD_TOOLS)
   surefoot_install_rooms(author ${author_rooms})
   install(TARGETS surefoot_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT author)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/gaits" DESTINATION "${CMAKE_INSTALL_DATADIR}/surefoot" COMPONENT author)
+  install(FILES "${PROJECT_SOURCE_DIR}/docs/graph.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/surefoot"
+          COMPONENT author)
 endif()
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/surefoot-config.cmake.in"

@@ -153,6 +153,7 @@ GraphCharacter load_graph(const std::filesystem::path& file, std::vector<std::st
     const Json json = read_merged(file, 0);
     JsonNode root(json, file.string(), "", warnings);
     root.at(k_version_key);
+    if (root.has("$schema")) root.at("$schema").text();  // for editors
     std::filesystem::path project_file = root.at("project").text();
     if (std::filesystem::is_directory(project_file)) project_file /= "project.json";
     const Project project = load_project(project_file, warnings);

@@ -176,5 +176,18 @@ TEST_F(GraphFile, damaged_files_are_refused_or_sound) {
     EXPECT_LT(refused, 150);
 }
 
+TEST_F(GraphFile, every_key_of_the_schema_is_known) {
+    std::vector<std::string> warnings;
+    const std::string text = read_file(std::filesystem::path(SUREFOOT_SOURCE_DIR) / "tests/graph_text/whole.json");
+    const GraphCharacter character = load_graph(write(text), &warnings);
+    EXPECT_EQ(character.program.name, "whole");
+    EXPECT_EQ(warnings, std::vector<std::string>{});
+    std::string slip = text;
+    slip.replace(slip.find("rate_per_s"), 10, "rate_per_h");
+    load_graph(write(slip), &warnings);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("rate_per_h"), std::string::npos) << warnings[0];
+}
+
 }  // namespace
 }  // namespace surefoot

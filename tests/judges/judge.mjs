@@ -3,6 +3,8 @@
 //   node judge.mjs valid  FILE.glb|FOLDER...      no errors by the Khronos glTF validator
 //   node judge.mjs places FILE.json|FOLDER...     three.js puts every joint of every frame where the JSON says
 //   node judge.mjs sarif  FILE.sarif|FOLDER...    valid by the JSON schema of SARIF 2.1.0, and with results in it
+//   node judge.mjs graph  FILE.json|FOLDER...     a graph by docs/graph.schema.json
+//   node judge.mjs whole  FILE.json               the same, and every key of the schema is in it
 //
 // NAME.INDEX.json belongs to animation INDEX of NAME.glb beside it, in metres, in the world:
 //   { "animation": 0, "fps": 60, "joints": ["hips", …], "frames": [[x, y, z, x, y, z, …], …] }
@@ -16,9 +18,9 @@ const k_tolerance = 1e-4; // [m] a tenth of a millimetre
 
 const require = createRequire(import.meta.url);
 const [command, ...paths] = process.argv.slice(2);
-const judges = { valid, places, sarif };
+const judges = { valid, places, sarif, graph, whole };
 if (!judges[command] || paths.length === 0) {
-  console.error('usage: judge.mjs valid|places|sarif FILE|FOLDER...');
+  console.error('usage: judge.mjs valid|places|sarif|graph|whole FILE|FOLDER...');
   process.exit(2);
 }
 if (!existsSync(new URL('node_modules/three', import.meta.url))) {
@@ -26,7 +28,7 @@ if (!existsSync(new URL('node_modules/three', import.meta.url))) {
   process.exit(process.env.SUREFOOT_NEED_JUDGES ? 1 : 77);
 }
 
-const ending = { valid: '.glb', places: '.json', sarif: '.sarif' }[command];
+const ending = { valid: '.glb', sarif: '.sarif' }[command] ?? '.json';
 const files = paths.flatMap((path) =>
   statSync(path).isDirectory()
     ? readdirSync(path, { recursive: true })
@@ -76,6 +78,38 @@ async function sarif(file) {
     if (ids[ruleIndex] !== ruleId) throw new Error(`rule ${ruleIndex} is ${ids[ruleIndex]}, not ${ruleId}`);
   if (run.results.length === 0) throw new Error('no results');
   return `valid, ${ids.length} rules, ${run.results.length} results`;
+}
+
+async function graph(file) {
+  const Ajv = require('ajv');
+  const ajv = new Ajv({ allErrors: true, strict: true, strictTypes: false, strictRequired: false });
+  const graph = JSON.parse(readFileSync(file, 'utf8'));
+  if (!ajv.validate(graphSchema(), graph)) {
+    const first = ajv.errors.slice(0, 5);
+    throw new Error(`${ajv.errors.length} errors: ` + first.map((e) => `${e.instancePath} ${e.message}`).join('; '));
+  }
+  return 'a graph by its schema';
+}
+
+function graphSchema() {
+  return JSON.parse(readFileSync(new URL('../../docs/graph.schema.json', import.meta.url), 'utf8'));
+}
+
+async function whole(file) {
+  await graph(file);
+  const known = new Set();
+  const look = (schema) => {
+    if (schema === null || typeof schema !== 'object') return;
+    for (const key of Object.keys(schema.properties ?? {})) known.add(key);
+    Object.values(schema).forEach(look);
+  };
+  look(graphSchema());
+  const used = new Set();
+  JSON.parse(readFileSync(file, 'utf8'), (key, value) => (used.add(key), value));
+  // A patch's, and what only a project of its own kind has.
+  const missing = [...known].filter((key) => !used.has(key) && !['extends', 'custom', 'style'].includes(key));
+  if (missing.length > 0) throw new Error(`not there: ${missing.join(', ')}`);
+  return `all ${known.size} keys of the schema`;
 }
 
 async function places(wantedFile) {
