@@ -5,6 +5,7 @@
 
 #include <surefoot/author/fitted_gaits.h>
 #include <surefoot/author/gait_file.h>
+#include <surefoot/author/live_rigs.h>
 #include <surefoot/base/error.h>
 #include <surefoot/fit/fit_gait.h>
 #include <surefoot/gait_clip/gait_clip.h>
@@ -41,20 +42,6 @@ HarmonicGait read_any(const std::string& name) {
                                                                                 : fit_expressions(name);
 }
 
-/// The bundled idle, for bundled gaits: all are of one body.
-std::shared_ptr<const HarmonicGait> idle_of(const std::string& name, const HarmonicGait& gait) {
-    if (std::filesystem::exists(name) || fitted_gait_text(gait.name).empty() || gait.name == "idle") return nullptr;
-    return std::make_shared<const HarmonicGait>(fitted_gait("idle"));
-}
-
-/// Who walks and runs can crouch as well.
-std::vector<LiveManner> manners_of(const std::string& name, const std::shared_ptr<const HarmonicGait>& gait) {
-    std::vector<LiveManner> manners{{gait->name, gait, nullptr}};
-    if (!std::filesystem::exists(name) && gait->name == "human")
-        manners.push_back({"crouch", std::make_shared<const HarmonicGait>(fitted_gait("crouch")), nullptr});
-    return manners;
-}
-
 }  // namespace
 
 bool is_live_gait(const std::string& name) {
@@ -67,7 +54,8 @@ LiveGait read_live_gait(const std::string& name) {
     LiveGait live;
     const auto gait = std::make_shared<const HarmonicGait>(read_any(name));
     live.name = gait->name;
-    live.rig = make_live_rig(manners_of(name, gait), idle_of(name, *gait));
+    const bool bundled = !std::filesystem::exists(name) && !fitted_gait_text(gait->name).empty();
+    live.rig = bundled ? bundled_live_rig(gait) : make_live_rig({{gait->name, gait, nullptr}});
     if (const std::string wrong = problem(live.rig); !wrong.empty())
         throw Error("the gait cannot be played live: " + wrong, name, "fit one from clips with two legs");
     std::vector<Transform> models(live.rig.stand.size());

@@ -1,5 +1,6 @@
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/author/json_node.h>
+#include <surefoot/author/live_rigs.h>
 #include <surefoot/graph_text/graph_file.h>
 #include <surefoot/graph_text/names.h>
 #include <surefoot/graph_text/node_reader.h>
@@ -29,9 +30,11 @@ void make_paths_whole(Json& json, const std::filesystem::path& folder) {
         if (path.is_string()) path = (folder / path.get<std::string>()).lexically_normal().string();
     };
     if (json.contains("project")) whole(json["project"]);
-    if (!json.contains("clips") || !json["clips"].is_object()) return;
-    for (auto& [slot, clip] : json["clips"].items())
-        if (clip.is_object() && clip.contains("file")) whole(clip["file"]);
+    for (const char* slots : {"clips", "gaits"}) {
+        if (!json.contains(slots) || !json[slots].is_object()) continue;
+        for (auto& [slot, filled] : json[slots].items())
+            if (filled.is_object() && filled.contains("file")) whole(filled["file"]);
+    }
 }
 
 Json read_merged(const std::filesystem::path& file, int depth) {
@@ -142,6 +145,65 @@ class Slots {
     std::map<std::string, int> clips_;
 };
 
+/// The live gaits that a graph's slots name; those that the program carries may be named without a slot.
+class Gaits {
+  public:
+    void fill(const std::string& slot, JsonNode node) {
+        if (node.json().is_string()) {
+            add(slot, node.text(), node);
+            return;
+        }
+        add(slot, node.at("file").text(), node);
+        node.finish();
+    }
+    int find(const JsonNode& name) {
+        const auto found = index_.find(name.text());
+        return found != index_.end() ? found->second : add(name.text(), name.text(), name);
+    }
+    const std::vector<std::shared_ptr<const LiveRig>>& rigs() const { return rigs_; }
+
+    /// All are of the body's skeleton.
+    void check(const Skeleton& skeleton, const std::string& file) const {
+        for (const auto& [slot, index] : index_)
+            if (!fits(*rigs_[static_cast<std::size_t>(index)]->skeleton, skeleton))
+                throw Error("the gait '" + slot + "' is of another skeleton than the project's clips", file,
+                            "fit one to it: surefoot fit CLIPS --to CHARACTER -o gait.json");
+    }
+
+  private:
+    int add(const std::string& slot, const std::string& name, const JsonNode& node) {
+        try {
+            rigs_.push_back(std::make_shared<const LiveRig>(read_live_rig(name)));
+        } catch (const Error& error) {
+            node.fail(error.what());
+        }
+        return index_[slot] = static_cast<int>(rigs_.size()) - 1;
+    }
+    static bool fits(const Skeleton& a, const Skeleton& b) {
+        constexpr float k_near = 1e-3f;  // [m] what files round
+        bool same = a.names == b.names && a.parents == b.parents;
+        for (std::size_t j = 0; same && j < a.rest.size(); ++j)
+            same = distance(a.rest[j].translation, b.rest[j].translation) < k_near;
+        return same;
+    }
+
+    std::map<std::string, int> index_;
+    std::vector<std::shared_ptr<const LiveRig>> rigs_;
+};
+
+/// Of a graph without a project: the body is its first gait's.
+Character character_of(const LiveRig& rig) {
+    Character character;
+    character.skeleton = character.graph.skeleton = rig.skeleton;
+    character.legs = rig.soles;
+    character.standing.resize(rig.stand.size());
+    local_to_model(*rig.skeleton, rig.stand, character.standing);
+    character.roles = find_roles(*rig.skeleton, character.standing).roles;
+    character.hip_height = character.standing[static_cast<std::size_t>(rig.soles.hips)].translation.y;
+    set_legs(character.graph, character.legs, character.standing);
+    return character;
+}
+
 }  // namespace
 
 bool is_graph_text(std::string_view text) {
@@ -154,10 +216,20 @@ GraphCharacter load_graph(const std::filesystem::path& file, std::vector<std::st
     JsonNode root(json, file.string(), "", warnings);
     root.at(k_version_key);
     if (root.has("$schema")) root.at("$schema").text();  // for editors
-    std::filesystem::path project_file = root.at("project").text();
-    if (std::filesystem::is_directory(project_file)) project_file /= "project.json";
-    const Project project = load_project(project_file, warnings);
-    Character character = bake_character(project, project_file.parent_path());
+    Gaits gaits;
+    if (root.has("gaits"))
+        for (const auto& [slot, gait] : root.at("gaits").entries()) gaits.fill(slot, gait);
+    Project project;
+    std::filesystem::path project_file;
+    Character character;
+    if (gaits.rigs().empty() || root.has("project")) {
+        project_file = root.at("project").text();
+        if (std::filesystem::is_directory(project_file)) project_file /= "project.json";
+        project = load_project(project_file, warnings);
+        character = bake_character(project, project_file.parent_path());
+    } else {
+        character = character_of(*gaits.rigs().front());
+    }
     if (warnings) warnings->insert(warnings->end(), character.warnings.begin(), character.warnings.end());
 
     Slots slots(character, project, project_file.parent_path());
@@ -181,18 +253,22 @@ GraphCharacter load_graph(const std::filesystem::path& file, std::vector<std::st
             node.finish();
             program.groups.push_back(std::move(group));
         }
-    std::map<std::string, int> masks;
+    NodeSources sources;
     if (root.has("masks"))
         for (const auto& [name, node] : root.at("masks").entries()) {
-            masks[name] = static_cast<int>(program.masks.size());
+            sources.masks[name] = static_cast<int>(program.masks.size());
             program.masks.push_back(mask_of(node, *character.skeleton, character.roles));
         }
     program.mirror = mirror_map(*character.skeleton, character.roles);
-    read_nodes(program, root.at("nodes"), root.at("root"), masks, [&](const std::string& name) {
+    sources.clip_of = [&](const std::string& name) {
         const int clip = slots.find(name);
         if (character.graph.clips.size() > program.body.clips.size()) program.body.clips = character.graph.clips;
         return clip;
-    });
+    };
+    sources.rig_of = [&](const JsonNode& name) { return gaits.find(name); };
+    read_nodes(program, root.at("nodes"), root.at("root"), sources);
+    gaits.check(*program.body.skeleton, file.string());
+    program.rigs = gaits.rigs();
     root.finish();
     lay_out(program);
     if (const std::string text = problem(program); !text.empty())

@@ -31,8 +31,7 @@ std::int16_t event_index(Program& program, const std::string& name) {
 
 class NodeReader {
   public:
-    NodeReader(Program& program, const JsonNode& named, const std::map<std::string, int>& masks,
-               const std::function<int(const std::string&)>& clip_of);
+    NodeReader(Program& program, const JsonNode& named, const NodeSources& sources);
 
     /// Returns the node's index.
     int add(JsonNode reference, int depth = 0);
@@ -42,6 +41,7 @@ class NodeReader {
     NodeData clip(JsonNode& node);
     NodeData space(JsonNode& node);
     NodeData locomotion(JsonNode& node);
+    NodeData gait(JsonNode& node);
     NodeData additive(JsonNode& node);
     MachineNode machine(JsonNode& node, std::vector<int>& children, int depth);
     Transition transition(const std::string& name, JsonNode node, const MachineNode& machine);
@@ -57,13 +57,11 @@ class NodeReader {
 
     Program& program_;
     std::map<std::string, JsonNode> named_;
-    const std::map<std::string, int>& masks_;
-    const std::function<int(const std::string&)>& clip_of_;
+    const NodeSources& sources_;
 };
 
-NodeReader::NodeReader(Program& program, const JsonNode& named, const std::map<std::string, int>& masks,
-                       const std::function<int(const std::string&)>& clip_of)
-    : program_(program), masks_(masks), clip_of_(clip_of) {
+NodeReader::NodeReader(Program& program, const JsonNode& named, const NodeSources& sources)
+    : program_(program), sources_(sources) {
     for (const auto& [name, node] : named.entries()) named_.emplace(name, node);
 }
 
@@ -87,17 +85,17 @@ std::int16_t NodeReader::group_or_legs(JsonNode& node) {
 }
 
 std::int16_t NodeReader::mask(const JsonNode& name) {
-    const auto found = masks_.find(name.text());
-    if (found == masks_.end()) {
+    const auto found = sources_.masks.find(name.text());
+    if (found == sources_.masks.end()) {
         std::vector<std::string> names;
-        for (const auto& [key, index] : masks_) names.push_back(key);
+        for (const auto& [key, index] : sources_.masks) names.push_back(key);
         name.fail("there is no mask '" + name.text() + "'", names_of(names));
     }
     return static_cast<std::int16_t>(found->second);
 }
 
 int NodeReader::slot(const JsonNode& name) {
-    const int clip = clip_of_(name.text());
+    const int clip = sources_.clip_of(name.text());
     if (clip < 0)
         name.fail("there is no clip '" + name.text() + "'", "name a slot of \"clips\", or a clip of the project");
     return clip;
@@ -194,6 +192,16 @@ NodeData NodeReader::locomotion(JsonNode& node) {
         result.style = static_cast<std::int16_t>(found - styles.begin());
     }
     result.group = group_or_legs(node);
+    return result;
+}
+
+NodeData NodeReader::gait(JsonNode& node) {
+    GaitNode result;
+    result.rig = static_cast<std::int16_t>(sources_.rig_of(node.at("gait")));
+    result.speed = operand_or(node, "speed", 0);
+    result.turn = operand_or(node, "turn", 0);
+    result.manner = operand_or(node, "manner", 0);
+    if (node.has("glide_s")) result.glide = node.at("glide_s").real();
     return result;
 }
 
@@ -325,6 +333,8 @@ int NodeReader::add_data(JsonNode& node, const std::string& path, int depth) {
         data = space(node);
     } else if (type == "locomotion") {
         data = locomotion(node);
+    } else if (type == "gait") {
+        data = gait(node);
     } else if (type == "lerp") {
         below("from");
         below("to");
@@ -350,7 +360,7 @@ int NodeReader::add_data(JsonNode& node, const std::string& path, int depth) {
         data = machine(node, children, depth);
     } else {
         type_node.fail("there are no nodes of type '" + type + "'",
-                       "one of: clip, space, locomotion, lerp, additive, layer, mirror, rate, feet, machine");
+                       "one of: clip, space, locomotion, gait, lerp, additive, layer, mirror, rate, feet, machine");
     }
     node.finish();
     return add_node(program_, path, std::move(data), children);
@@ -365,9 +375,8 @@ std::vector<EventMark> read_marks(Program& program, const JsonNode& events) {
     return marks;
 }
 
-void read_nodes(Program& program, const JsonNode& named, const JsonNode& root, const std::map<std::string, int>& masks,
-                const std::function<int(const std::string&)>& clip_of) {
-    NodeReader(program, named, masks, clip_of).add(root);
+void read_nodes(Program& program, const JsonNode& named, const JsonNode& root, const NodeSources& sources) {
+    NodeReader(program, named, sources).add(root);
 }
 
 }  // namespace surefoot

@@ -176,6 +176,50 @@ TEST_F(GraphFile, damaged_files_are_refused_or_sound) {
     EXPECT_LT(refused, 150);
 }
 
+TEST_F(GraphFile, a_live_gait_needs_no_project) {
+    const GraphCharacter character = load_graph(write(R"({"surefoot_graph": 1,
+        "parameters": {"speed": {"low": 0, "high": 5}}, "gaits": {"legs": "human"},
+        "nodes": {"go": {"type": "gait", "gait": "legs", "speed": "speed", "manner": 0}}, "root": "go"})"));
+    const Program& program = character.program;
+    EXPECT_TRUE(character.legs.known());
+    EXPECT_NEAR(character.hip_height, 0.95f, 0.15f);
+    std::vector<std::byte> state(program.state_size);
+    GraphScratch scratch(program);
+    GraphFrame frame(program);
+    std::vector<Transform> locals(program.body.skeleton->rest.size());
+    start(program, state);
+    set(program, state, program.parameter("speed"), 1.4f);
+    for (int f = 0; f < 240; ++f) {
+        GraphInput input;
+        input.dt = 1.0f / 60;
+        update(program, state, input, scratch, frame);
+    }
+    EXPECT_NEAR(frame.velocity.z, 1.4f, 1e-3f);
+    pose(program, state, frame, scratch, locals);
+    EXPECT_NEAR(locals[static_cast<std::size_t>(character.legs.hips)].translation.y, character.hip_height, 0.1f);
+}
+
+TEST_F(GraphFile, a_live_gait_joins_a_project_of_the_same_skeleton_only) {
+    const auto graph = [](const std::string& gait) {
+        return R"({"surefoot_graph": 1, "project": ".", "parameters": {"live": {"type": "flag"}},
+            "nodes": {"both": {"type": "lerp", "weight": "live",
+                "from": {"type": "locomotion", "speed": 1}, "to": {"type": "gait", "gait": ")" +
+               gait + R"(", "speed": 1}}}, "root": "both"})";
+    };
+    EXPECT_EQ(load_graph(write(graph("walk"))).program.rigs.size(), 1u);
+    EXPECT_EQ(error_of(graph("wlk")),
+              "hero.json: /nodes/both/to/gait: wlk: there is no fitted gait of that name; see surefoot gait list");
+    ClipSet set = make_synthetic_set();
+    Skeleton renamed = *set.skeleton;
+    renamed.names.back() += "_end";
+    const auto skeleton = std::make_shared<const Skeleton>(renamed);
+    for (Motion& clip : set.clips) clip.skeleton = skeleton;
+    author_motions(set.clips, folder_.path);
+    EXPECT_EQ(error_of(graph("walk")),
+              "hero.json: the gait 'walk' is of another skeleton than the project's clips; fit one to it: surefoot fit "
+              "CLIPS --to CHARACTER -o gait.json");
+}
+
 TEST_F(GraphFile, every_key_of_the_schema_is_known) {
     std::vector<std::string> warnings;
     const std::string text = read_file(std::filesystem::path(SUREFOOT_SOURCE_DIR) / "tests/graph_text/whole.json");
