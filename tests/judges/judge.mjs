@@ -5,6 +5,7 @@
 //   node judge.mjs sarif  FILE.sarif|FOLDER...    valid by the JSON schema of SARIF 2.1.0, and with results in it
 //   node judge.mjs graph  FILE.json|FOLDER...     a graph by docs/graph.schema.json
 //   node judge.mjs whole  FILE.json               the same, and every key of the schema is in it
+//   node judge.mjs slips  FILE.json               each of its patches (RFC 7396) spoils a sound graph, where it says
 //
 // NAME.INDEX.json belongs to animation INDEX of NAME.glb beside it, in metres, in the world:
 //   { "animation": 0, "fps": 60, "joints": ["hips", …], "frames": [[x, y, z, x, y, z, …], …] }
@@ -12,15 +13,15 @@
 // Exit codes: 0 fine, 1 something is wrong, 2 usage, 77 the npm packages are not installed (skip).
 import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 
 const k_tolerance = 1e-4; // [m] a tenth of a millimetre
 
 const require = createRequire(import.meta.url);
 const [command, ...paths] = process.argv.slice(2);
-const judges = { valid, places, sarif, graph, whole };
+const judges = { valid, places, sarif, graph, whole, slips };
 if (!judges[command] || paths.length === 0) {
-  console.error('usage: judge.mjs valid|places|sarif|graph|whole FILE|FOLDER...');
+  console.error('usage: judge.mjs valid|places|sarif|graph|whole|slips FILE|FOLDER...');
   process.exit(2);
 }
 if (!existsSync(new URL('node_modules/three', import.meta.url))) {
@@ -81,18 +82,42 @@ async function sarif(file) {
 }
 
 async function graph(file) {
-  const Ajv = require('ajv');
-  const ajv = new Ajv({ allErrors: true, strict: true, strictTypes: false, strictRequired: false });
-  const graph = JSON.parse(readFileSync(file, 'utf8'));
-  if (!ajv.validate(graphSchema(), graph)) {
-    const first = ajv.errors.slice(0, 5);
-    throw new Error(`${ajv.errors.length} errors: ` + first.map((e) => `${e.instancePath} ${e.message}`).join('; '));
-  }
+  const errors = graphErrors(readJson(file));
+  if (errors.length > 0) throw new Error(`${errors.length} errors: ` + errors.slice(0, 5).join('; '));
   return 'a graph by its schema';
 }
 
+function readJson(file) {
+  return JSON.parse(readFileSync(file, 'utf8'));
+}
+
 function graphSchema() {
-  return JSON.parse(readFileSync(new URL('../../docs/graph.schema.json', import.meta.url), 'utf8'));
+  return readJson(new URL('../../docs/graph.schema.json', import.meta.url));
+}
+
+/// Where and what.
+function graphErrors(graph) {
+  const Ajv = require('ajv');
+  const ajv = new Ajv({ allErrors: true, strict: true, strictTypes: false, strictRequired: false });
+  return ajv.validate(graphSchema(), graph) ? [] : ajv.errors.map((e) => `${e.instancePath} ${e.message}`);
+}
+
+async function slips(file) {
+  const { of, patches } = readJson(file);
+  const sound = readJson(join(dirname(file), of));
+  if (graphErrors(sound).length > 0) throw new Error(`${of} is not sound to begin with`);
+  const patched = (value, patch) => {
+    if (patch === null || typeof patch !== 'object' || Array.isArray(patch)) return patch;
+    const result = { ...value };
+    for (const [key, change] of Object.entries(patch))
+      if (change === null) delete result[key];
+      else result[key] = patched(result[key], change);
+    return result;
+  };
+  for (const [name, { at, patch }] of Object.entries(patches))
+    if (!graphErrors(patched(sound, patch)).some((error) => error.startsWith(`${at} `)))
+      throw new Error(`the slip '${name}' is not seen at ${at}`);
+  return `${Object.keys(patches).length} slips are seen`;
 }
 
 async function whole(file) {
