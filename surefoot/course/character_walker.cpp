@@ -3,8 +3,6 @@
 #include <surefoot/course/walk.h>
 #include <surefoot/math/trig.h>
 
-#include <algorithm>
-
 namespace surefoot {
 namespace {
 
@@ -28,25 +26,25 @@ struct Going {
 class CharacterWalker final : public Walker {
   public:
     CharacterWalker(const Character& character, const LocomotionRequest& asked, std::vector<PathLeg> path)
-        : character_(character), asked_(asked), path_(std::move(path)) {}
+        : character_(character), asked_(asked), steering_(std::move(path)) {}
     const std::shared_ptr<const Skeleton>& skeleton() const override { return character_.skeleton; }
     const Legs& legs() const override { return character_.legs; }
     std::span<const Transform> standing() const override { return character_.standing; }
     void start(float speed_mps) override {
         asked_.speed = speed_mps;
         asked_.lateral = 0;
-        clock_ = {};
+        steering_.restart();
         now_ = {};
         now_.request = wanted();
         foresight_.begin(now_);
     }
     void advance(float dt) noexcept override {
-        clock_.advance(path_, dt);
+        steering_.advance(dt);
         now_.go(character_.graph, wanted(), dt);
         foresight_.begin(now_);
     }
     void limit_speed(float mps) noexcept override {
-        limit_ = mps;
+        steering_.limit_speed(mps);
         foresight_.begin(now_);
     }
     RootFrame requested() const noexcept override { return now_.requested; }
@@ -62,17 +60,14 @@ class CharacterWalker final : public Walker {
   private:
     LocomotionRequest wanted() const noexcept {
         LocomotionRequest wanted = asked_;
-        const PathLeg& leg = clock_.leg(path_);
-        wanted.speed = leg.goes ? std::clamp(asked_.speed, -limit_, limit_) : 0;
-        wanted.turn = leg.turn;
+        wanted.speed = steering_.speed(asked_.speed);
+        wanted.turn = steering_.turn();
         return wanted;
     }
 
     const Character& character_;
     LocomotionRequest asked_;
-    std::vector<PathLeg> path_;
-    PathClock clock_;
-    float limit_ = k_no_speed_limit;  // [m/s]
+    Steering steering_;
     Going now_;
     mutable Foresight<Going> foresight_;
 };
@@ -81,7 +76,6 @@ class CharacterWalker final : public Walker {
 
 std::unique_ptr<Walker> make_character_walker(const Character& character, const LocomotionRequest& asked,
                                               std::vector<PathLeg> path) {
-    if (path.empty()) path.push_back({});
     return std::make_unique<CharacterWalker>(character, asked, std::move(path));
 }
 

@@ -2,8 +2,6 @@
 #include <surefoot/graph_text/graph_file.h>
 #include <surefoot/program/evaluate.h>
 
-#include <algorithm>
-
 namespace surefoot {
 namespace {
 
@@ -23,7 +21,7 @@ class GraphWalker final : public Walker {
         : character_(character),
           program_(character.program),
           values_(std::move(values)),
-          path_(std::move(path)),
+          steering_(std::move(path)),
           scratch_(program_),
           frame_(program_),
           speed_(program_.parameter("speed")),
@@ -36,7 +34,7 @@ class GraphWalker final : public Walker {
     std::span<const Transform> standing() const override { return character_.standing; }
     void start(float speed_mps) override {
         asked_speed_ = speed_mps;
-        clock_ = {};
+        steering_.restart();
         surefoot::start(program_, now_.state);
         for (const ParameterValue& value : values_) set(program_, now_.state, value.parameter, value.value);
         constexpr float k_run_up = 3;  // [s] for parameters and states to get there: it walks already when it starts
@@ -46,13 +44,13 @@ class GraphWalker final : public Walker {
         foresight_.begin(now_);
     }
     void advance(float dt) noexcept override {
-        clock_.advance(path_, dt);
+        steering_.advance(dt);
         steer();
         go(now_, dt, true);
         foresight_.begin(now_);
     }
     void limit_speed(float mps) noexcept override {
-        limit_ = mps;
+        steering_.limit_speed(mps);
         steer();
         foresight_.begin(now_);
     }
@@ -71,9 +69,8 @@ class GraphWalker final : public Walker {
 
   private:
     void steer() noexcept {
-        const PathLeg& leg = clock_.leg(path_);
-        set(program_, now_.state, speed_, leg.goes ? std::clamp(asked_speed_, -limit_, limit_) : 0.0f);
-        set(program_, now_.state, turn_, leg.turn);
+        set(program_, now_.state, speed_, steering_.speed(asked_speed_));
+        set(program_, now_.state, turn_, steering_.turn());
     }
     void go(Going& going, float dt, bool decide) const noexcept {
         GraphInput input;
@@ -92,12 +89,11 @@ class GraphWalker final : public Walker {
     const GraphCharacter& character_;
     const Program& program_;
     std::vector<ParameterValue> values_;
-    std::vector<PathLeg> path_;
+    Steering steering_;
     mutable GraphScratch scratch_;
     mutable GraphFrame frame_;
     int speed_, turn_, surface_;
-    float asked_speed_ = 0, limit_ = k_no_speed_limit;  // [m/s]
-    PathClock clock_;
+    float asked_speed_ = 0;  // [m/s]
     Going now_;
     mutable Foresight<Going> foresight_;
 };
@@ -106,7 +102,6 @@ class GraphWalker final : public Walker {
 
 std::unique_ptr<Walker> make_graph_walker(const GraphCharacter& character, std::vector<ParameterValue> values,
                                           std::vector<PathLeg> path) {
-    if (path.empty()) path.push_back({});
     return std::make_unique<GraphWalker>(character, std::move(values), std::move(path));
 }
 

@@ -1,7 +1,4 @@
-#include <surefoot/base/error.h>
 #include <surefoot/course/live_play.h>
-
-#include <algorithm>
 
 namespace surefoot {
 namespace {
@@ -9,7 +6,7 @@ namespace {
 class LiveWalker final : public Walker {
   public:
     LiveWalker(const LiveRig& rig, const LiveRequest& going, std::vector<PathLeg> path)
-        : rig_(rig), going_(going), path_(std::move(path)), scratch_(rig), standing_(rig.stand.size()) {
+        : rig_(rig), going_(going), steering_(std::move(path)), scratch_(rig), standing_(rig.stand.size()) {
         local_to_model(*rig.skeleton, rig.stand, standing_);
     }
     const std::shared_ptr<const Skeleton>& skeleton() const override { return rig_.skeleton; }
@@ -17,15 +14,15 @@ class LiveWalker final : public Walker {
     std::span<const Transform> standing() const override { return standing_; }
     void start(float speed_mps) override {
         going_.speed = speed_mps;
-        clock_ = {};
+        steering_.restart();
         state_ = surefoot::start(rig_, wanted());
         root_ = {};
     }
     void advance(float dt) noexcept override {
-        clock_.advance(path_, dt);
+        steering_.advance(dt);
         root_ = root_ * update(rig_, state_, wanted(), dt).root_delta;
     }
-    void limit_speed(float mps) noexcept override { limit_ = mps; }
+    void limit_speed(float mps) noexcept override { steering_.limit_speed(mps); }
     /// Live gaits glide to what they are asked for, and the glide is what there is to obey.
     RootFrame requested() const noexcept override { return root_; }
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
@@ -37,21 +34,18 @@ class LiveWalker final : public Walker {
   private:
     LiveRequest wanted() const noexcept {
         LiveRequest wanted = going_;
-        const PathLeg& leg = clock_.leg(path_);
-        wanted.speed = leg.goes ? std::clamp(going_.speed, -limit_, limit_) : 0;
-        wanted.turn = leg.turn;
+        wanted.speed = steering_.speed(going_.speed);
+        wanted.turn = steering_.turn();
         return wanted;
     }
 
     const LiveRig& rig_;
     LiveRequest going_;
-    std::vector<PathLeg> path_;
+    Steering steering_;
     mutable LiveScratch scratch_;
     std::vector<Transform> standing_;
     LiveState state_;
     RootFrame root_;
-    PathClock clock_;
-    float limit_ = k_no_speed_limit;  // [m/s]
 };
 
 }  // namespace
@@ -74,7 +68,6 @@ Motion play(const LiveRig& rig, const std::vector<LiveLeg>& legs, float fps, flo
 }
 
 std::unique_ptr<Walker> make_live_walker(const LiveRig& rig, const LiveRequest& going, std::vector<PathLeg> path) {
-    if (path.empty()) path.push_back({});
     return std::make_unique<LiveWalker>(rig, going, std::move(path));
 }
 

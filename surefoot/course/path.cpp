@@ -1,6 +1,9 @@
 #include <surefoot/base/error.h>
 #include <surefoot/course/path.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace surefoot {
 
 const std::vector<std::string>& path_names() {
@@ -24,9 +27,17 @@ std::vector<PathLeg> walk_path(const std::string& name, float seconds, float tur
     return all;
 }
 
-void PathClock::advance(const std::vector<PathLeg>& legs, float dt) noexcept {
+Steering::Steering(std::vector<PathLeg> legs) : legs_(std::move(legs)) {
+    if (legs_.empty()) legs_.push_back({});
+}
+
+float Steering::speed(float asked) const noexcept {
+    return legs_[at_].goes ? std::clamp(asked, -limit_, limit_) : 0.0f;
+}
+
+void Steering::advance(float dt) noexcept {
     constexpr float k_rounding = 1e-4f;  // [s]
-    if (at_ + 1 < legs.size() && spent_ >= legs[at_].seconds - k_rounding) {
+    if (at_ + 1 < legs_.size() && spent_ >= legs_[at_].seconds - k_rounding) {
         ++at_;
         spent_ = 0;
     }

@@ -1,6 +1,8 @@
 #pragma once
 // Ways to walk a course: what a character is asked for, one thing after the other.
 
+#include <surefoot/ik/foot_placement.h>
+
 #include <string>
 #include <vector>
 
@@ -21,16 +23,28 @@ const std::vector<std::string>& path_names();
 /// `turn` [deg/s] is that of a straight way, for gaits that turn by themselves. Throws Error for another name.
 std::vector<PathLeg> walk_path(const std::string& name, float seconds, float turn = 0);
 
-/// Where a path stands.
-class PathClock {
+/// What a path asks for now, no faster than a limit.
+class Steering {
   public:
-    /// The leg that holds now; the last holds for good.
-    const PathLeg& leg(const std::vector<PathLeg>& legs) const noexcept { return legs[at_]; }
-    void advance(const std::vector<PathLeg>& legs, float dt) noexcept;
+    /// No legs: straight ahead.
+    explicit Steering(std::vector<PathLeg> legs);
+
+    /// Back to the first leg; the limit stays.
+    void restart() noexcept { at_ = 0, spent_ = 0; }
+    /// The last leg holds for good.
+    void advance(float dt) noexcept;
+    void limit_speed(float mps) noexcept { limit_ = mps; }
+
+    /// [m/s] of who would go at `asked`, which may be backward.
+    float speed(float asked) const noexcept;
+    /// [deg/s] positive to the left.
+    float turn() const noexcept { return legs_[at_].turn; }
 
   private:
+    std::vector<PathLeg> legs_;
     std::size_t at_ = 0;
-    float spent_ = 0;
+    float spent_ = 0;                 // [s] in the leg
+    float limit_ = k_no_speed_limit;  // [m/s]
 };
 
 }  // namespace surefoot
