@@ -140,12 +140,17 @@ float GroundProbe::height(float x, float z) const noexcept {
     return h;
 }
 
-void GroundProbe::heights(std::span<const Vec3> places, std::span<float> out) const noexcept {
+void GroundProbe::look(std::span<const Vec3> places, std::span<GroundHit> out) const noexcept {
     std::array<GroundQuery, k_batch> queries;
-    std::array<GroundHit, k_batch> hits;
     const std::size_t count = std::min(places.size(), k_batch);
     for (std::size_t i = 0; i < count; ++i) queries[i] = {{places[i].x, level, places[i].z}, up, down};
-    ground.query({queries.data(), count}, {hits.data(), count});
+    ground.query({queries.data(), count}, out.first(count));
+}
+
+void GroundProbe::heights(std::span<const Vec3> places, std::span<float> out) const noexcept {
+    std::array<GroundHit, k_batch> hits;
+    const std::size_t count = std::min(places.size(), k_batch);
+    look(places, hits);
     for (std::size_t i = 0; i < count; ++i) out[i] = hits[i].hit ? hits[i].height : fallback;
 }
 

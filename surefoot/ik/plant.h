@@ -37,7 +37,9 @@ struct GroundProbe {
     float fallback;         ///< [m]
 
     float height(float x, float z) const noexcept;
-    /// Heights at several places; y of the points is ignored. [Limit: at most k_batch]
+    /// What is under several places; y of the points is ignored. [Limit: at most k_batch]
+    void look(std::span<const Vec3> places, std::span<GroundHit> out) const noexcept;
+    /// Its height, or where there is nothing `fallback`. [Limit: as look]
     void heights(std::span<const Vec3> places, std::span<float> out) const noexcept;
     static constexpr std::size_t k_batch = 64;
 };

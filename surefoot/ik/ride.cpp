@@ -3,12 +3,11 @@
 namespace surefoot {
 namespace {
 
+/// Where there is nothing, nothing moves.
 template <std::size_t N>
 std::array<GroundHit, N> hits_at(const GroundProbe& probe, const std::array<Vec3, N>& places) noexcept {
-    std::array<GroundQuery, N> queries;
     std::array<GroundHit, N> hits;
-    for (std::size_t i = 0; i < N; ++i) queries[i] = {{places[i].x, probe.level, places[i].z}, probe.up, probe.down};
-    probe.ground.query(queries, hits);
+    probe.look(places, hits);
     for (GroundHit& hit : hits)
         if (!hit.hit) hit = {};
     return hits;
