@@ -46,14 +46,14 @@ WalkTraces traces_of(const WalkTrack& track, const Ground& ground) {
 SweptWalk walk_once(const WalkInfo& info, const MakeWalker& make, std::span<const FootMode> modes) {
     const Course course = make_course(info.course, info.grade_deg, info.reverse);
     const std::unique_ptr<Walker> walker = make(info);
-    const WalkComparison walks = compare_modes(*walker, *course.ground, info.speed_mps, info.seconds, info.limit_pace);
+    const WalkComparison walks =
+        compare_modes(*walker, *course.ground, info.speed_mps, info.seconds, info.limit_pace, modes);
     SweptWalk swept;
     swept.info = info;
     swept.rows = measured_walks(info, walks, modes);
     for (const FootMode mode : modes)
-        swept.traces.push_back(
-            traces_of(make_track(walks.walked[static_cast<std::size_t>(mode)].motion, walks.legs), *course.ground));
-    swept.twin = traces_of(make_track(walks.twin.motion, walks.legs), Plane());
+        swept.traces.push_back(traces_of(walks.tracks[static_cast<std::size_t>(mode)], *course.ground));
+    swept.twin = traces_of(walks.twin_track, Plane());
     for (std::size_t i = 0; i < walks.twin.motion.root.size(); i += k_trace_stride) {
         const Vec3 p = walks.twin.motion.root[i].position;
         swept.ground_cm.push_back(height_at(*course.ground, p.x, p.z) * k_cm);

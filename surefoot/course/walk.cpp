@@ -132,23 +132,25 @@ Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request, co
     return walked;
 }
 
-WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds, bool limit_pace) {
+WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds, bool limit_pace,
+                             std::span<const FootMode> modes) {
     WalkComparison result;
     result.legs = walker.legs();
-    WalkRequest request{speed_mps, seconds, FootMode::surefoot, limit_pace};
-    Walked& ours = result.walked[static_cast<std::size_t>(FootMode::surefoot)];
-    ours = walk(walker, ground, request);
-    for (const FootMode mode : {FootMode::none, FootMode::colvin2013}) {
-        request.mode = mode;
-        result.walked[static_cast<std::size_t>(mode)] = walk(walker, ground, request, &ours.speed_limit);
+    const WalkRequest request{speed_mps, seconds, FootMode::surefoot, limit_pace};
+    const Walked ours = walk(walker, ground, request);
+    const auto keeping_pace = [&](const Ground& over, FootMode mode) {
+        return walk(walker, over, {speed_mps, seconds, mode, limit_pace}, &ours.speed_limit);
+    };
+    result.twin = keeping_pace(Plane(), FootMode::none);
+    result.twin_track = make_track(result.twin.motion, result.legs);
+    result.twin_figures = measure_twin(result.twin_track);
+    for (const FootMode mode : modes) {
+        const auto i = static_cast<std::size_t>(mode);
+        result.walked[i] = mode == FootMode::surefoot ? ours : keeping_pace(ground, mode);
+        result.tracks[i] = make_track(result.walked[i].motion, result.legs);
+        result.metrics[i] =
+            measure_walk(result.tracks[i], result.twin_track, ground, result.walked[i].requested.back());
     }
-    request.mode = FootMode::none;
-    result.twin = walk(walker, Plane(), request, &ours.speed_limit);
-    const WalkTrack twin = make_track(result.twin.motion, walker.legs());
-    result.twin_figures = measure_twin(twin);
-    for (std::size_t i = 0; i < result.walked.size(); ++i)
-        result.metrics[i] = measure_walk(make_track(result.walked[i].motion, walker.legs()), twin, ground,
-                                         result.walked[i].requested.back());
     return result;
 }
 

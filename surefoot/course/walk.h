@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace surefoot {
@@ -86,17 +87,19 @@ struct Walked {
 Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request,
             const std::vector<float>* speed_limit = nullptr);
 
-/// The same walk in all three modes, and on flat ground un-placed (the twin), measured. All keep to the pace at which
+/// The same walk in several modes, and on flat ground un-placed (the twin), measured. All keep to the pace at which
 /// mode surefoot is walked.
 struct WalkComparison {
-    std::array<Walked, 3> walked;        ///< by FootMode
-    std::array<WalkMetrics, 3> metrics;  ///< by FootMode
+    std::array<Walked, 3> walked;        ///< by FootMode; empty where a mode was not asked for
+    std::array<WalkTrack, 3> tracks;     ///< the same
+    std::array<WalkMetrics, 3> metrics;  ///< the same
     Walked twin;
+    WalkTrack twin_track;
     TwinFigures twin_figures;
     Legs legs;
 };
 inline constexpr std::array k_foot_modes{FootMode::none, FootMode::colvin2013, FootMode::surefoot};
 WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_mps, float seconds,
-                             bool limit_pace = true);
+                             bool limit_pace = true, std::span<const FootMode> modes = k_foot_modes);
 
 }  // namespace surefoot

@@ -32,9 +32,9 @@ std::string vec_json(Vec3 v) { return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.
 constexpr const char* k_side_names[] = {"left", "right"};
 
 /// One foot: when it stands, its sole's points in the joints' frames, and what the twin says of each point.
-std::string foot_json(const WalkComparison& walks, FootMode mode, const Legs& legs, const Skeleton& skeleton,
-                      const WalkTrack& twin, std::size_t side) {
-    const Leg& leg = legs.side[side];
+std::string foot_json(const WalkComparison& walks, FootMode mode, const Skeleton& skeleton, std::size_t side) {
+    const WalkTrack& twin = walks.twin_track;
+    const Leg& leg = walks.legs.side[side];
     const auto name = [&](int joint) { return json_quoted(skeleton.names[static_cast<std::size_t>(joint)]); };
     const std::string foot = name(leg.foot), toes = name(leg.toes == k_no_joint ? leg.foot : leg.toes);
     std::string out = fmt::format(
@@ -65,7 +65,6 @@ MeasuredWalk row_of(const WalkInfo& info, const WalkComparison& walks, FootMode 
 std::string extras_json(const WalkInfo& info, const WalkComparison& walks, FootMode mode) {
     const Legs& legs = walks.legs;
     const Skeleton& skeleton = *walks.twin.motion.skeleton;
-    const WalkTrack twin = make_track(walks.twin.motion, legs);
     const TwinFigures& flat = walks.twin_figures;
     std::string out = fmt::format(
         "{{\"surefoot_walk\": {{\"course\": {}, \"reverse\": {}, \"grade_deg\": {}, \"path\": {}, \"speed_mps\": {}, "
@@ -77,8 +76,7 @@ std::string extras_json(const WalkInfo& info, const WalkComparison& walks, FootM
         json_number(static_cast<double>(k_walk_fps)), json_quoted(skeleton.names[static_cast<std::size_t>(legs.hips)]),
         json_number(flat.knee_peak_deg_s2), json_number(flat.hip_jerk_m_s3), json_number(flat.skate_cm_s));
     for (std::size_t side = 0; side < 2; ++side)
-        fmt::format_to(Out(out), ", \"{}\": {}", k_side_names[side],
-                       foot_json(walks, mode, legs, skeleton, twin, side));
+        fmt::format_to(Out(out), ", \"{}\": {}", k_side_names[side], foot_json(walks, mode, skeleton, side));
     fmt::format_to(Out(out), ", \"metrics\": {}}}}}", figures_json(row_of(info, walks, mode)));
     return out;
 }
