@@ -1,10 +1,8 @@
 #include <surefoot/base/error.h>
-#include <surefoot/clip/foot_prints.h>
 #include <surefoot/fit/cycle_samples.h>
 #include <surefoot/fit/derive.h>
 #include <surefoot/fit/ridge.h>
 #include <surefoot/fit/rolling_foot.h>
-#include <surefoot/graph/locomotion.h>
 #include <surefoot/harmonic/series.h>
 #include <surefoot/math/trig.h>
 
@@ -17,7 +15,6 @@ namespace {
 using FootPart = GaitSeries::FootPart;
 
 constexpr float k_hold = 0.92f;  // of the stance: captured feet set off sooner than contacts say
-constexpr float k_flat = 0.11f;  // [rad]
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -29,22 +26,17 @@ float share_at(float series_phase, float lift, float series_lift) {
 /// What the twelve series of a held foot say at a phase of theirs: rotation, heel, ball, toes.
 std::array<Vec3, 4> held_print(const HarmonicGait& gait, const GaitRhythm& rhythm, const RollingFoot& foot,
                                std::size_t side, float series_phase) {
-    const FootStep step = step_of(rhythm, side);
-    const float share = share_at(series_phase, step.lift, gait.foot_lift), strike = side == 0 ? 0.0f : 0.5f;
-    const float elapsed = (time_share(rhythm, strike + share) - time_share(rhythm, strike)) / rhythm.frequency;
-    const FootGoal goal = foot.at(share);
-    const Transform root = to_transform(integrate(rhythm.velocity, rhythm.turn_rate, foot_age(step, step, elapsed)));
-    const Transform print = root * goal.foot;
+    const auto [print, toes] = foot.print(share_at(series_phase, rhythm.lift[side], gait.foot_lift));
     const Leg& leg = gait.soles.side[side];
     return {to_rotation_vector(conjugate(gait.foot_mean[side]) * print.rotation), transform_point(print, leg.heel),
-            transform_point(print, leg.ball), to_rotation_vector(conjugate(gait.toes_mean[side]) * goal.toes)};
+            transform_point(print, leg.ball), to_rotation_vector(conjugate(gait.toes_mean[side]) * toes)};
 }
 
 /// Writes the foot's series among `values`, at whose speed and turn it is held, anew.
 void hold_foot(const HarmonicGait& gait, std::span<const float> own, std::size_t side, std::span<float> values) {
     constexpr int k_samples = 256;
     const GaitRhythm rhythm = rhythm_of(gait, own);
-    const RollingFoot foot(gait, own, rhythm, side, {}, {k_hold, k_flat});
+    const RollingFoot foot(gait, own, rhythm, side, {}, {k_hold});
     const GaitSeries series(gait, values);
     constexpr FootPart k_parts[4] = {FootPart::rotation, FootPart::heel, FootPart::ball, FootPart::toes};
     for (const FootPart part : k_parts)

@@ -101,15 +101,9 @@ RollingFoot::Attitude RollingFoot::attitude(Quat rotation) const {
     return {yaw, atan2(ahead.y, ahead.z), roll};
 }
 
-/// Time [s] since the strike.
-float RollingFoot::elapsed(float share) const {
-    const float strike = side_ == 0 ? 0.0f : 0.5f;
-    return (time_share(rhythm_, strike + share) - time_share(rhythm_, strike)) / rhythm_.frequency;
-}
-
 /// The root's move since the middle of the stance; in the swing it goes over to that to the middle of the next.
 RootFrame RollingFoot::moved(float share) const {
-    return integrate(rhythm_.velocity, rhythm_.turn_rate, foot_age(step_, step_, elapsed(share)));
+    return integrate(rhythm_.velocity, rhythm_.turn_rate, foot_age(step_, step_, since_strike(rhythm_, side_, share)));
 }
 
 RollingFoot::Placed RollingFoot::captured(float share) const {
@@ -158,7 +152,7 @@ RollingFoot::Sole RollingFoot::rolled(float share) const {
 }
 
 RollingFoot::Placed RollingFoot::held(float share) const {
-    const float seconds = stands_ ? 0 : elapsed(share) - 0.5f * step_.stance;
+    const float seconds = stands_ ? 0 : since_strike(rhythm_, side_, share) - 0.5f * step_.stance;
     const RootFrame root = integrate(rhythm_.velocity, rhythm_.turn_rate, seconds);
     const RootFrame flat = surefoot::between(root, foothold_);
     return {transform_point(to_transform(flat), rolled(share).ankle), flat.yaw};
@@ -196,6 +190,11 @@ FootGoal RollingFoot::at(float share) const {
     const Placed placed = stands_ || share <= lift_ ? held(share) : swinging(share);
     const Sole sole = rolled(share);
     return {{normalized(from_yaw(placed.yaw) * sole.foot), placed.ankle}, sole.toes};
+}
+
+FootGoal RollingFoot::print(float share) const {
+    const FootGoal goal = at(share);
+    return {to_transform(moved(share)) * goal.foot, goal.toes};
 }
 
 GroundedBody::GroundedBody(const HarmonicGait& gait, std::span<const float> values, const GaitRhythm& rhythm,

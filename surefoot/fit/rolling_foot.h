@@ -24,6 +24,8 @@ class RollingFoot {
 
     /// Seen from the root, at a share [0, 1) of the foot's own cycle, 0 at its strike.
     FootGoal at(float share) const;
+    /// The same seen from where the root is in the middle of the stance (clip/foot_prints.h).
+    FootGoal print(float share) const;
 
   private:
     /// How a foot lies [rad]: toes up by `pitch`, then its left side up by `roll`, then turned to its left by `yaw`.
@@ -49,7 +51,6 @@ class RollingFoot {
     Sole rolled(float share) const;
     Placed held(float share) const;
     Placed swinging(float share) const;
-    float elapsed(float share) const;
     RootFrame moved(float share) const;
 
     const HarmonicGait& gait_;

@@ -61,8 +61,8 @@ FootGoal foot_goal(const HarmonicGait& gait, const GaitRhythm& rhythm, std::size
     const float strike = side == 0 ? 0.0f : 0.5f, share = phase - strike - std::floor(phase - strike);
     const FootPrint print = foot_print(gait, values, side, foot_series_phase(share, rhythm.lift[side], gait.foot_lift));
     const FootStep step = step_of(rhythm, side);
-    const float elapsed = (time_share(rhythm, strike + share) - time_share(rhythm, strike)) / rhythm.frequency;
-    const RootFrame moved = integrate(rhythm.velocity, rhythm.turn_rate, foot_age(step, step, elapsed));
+    const float age = foot_age(step, step, since_strike(rhythm, side, share));
+    const RootFrame moved = integrate(rhythm.velocity, rhythm.turn_rate, age);
     const Transform stands = stand_on(gait.legs.side[side], print.rotation, print.heel, print.ball);
     return {inverse(to_transform(moved)) * stands, print.toes};
 }
@@ -279,6 +279,11 @@ float time_share(const GaitRhythm& rhythm, float phase) noexcept {
 float phase_of(const GaitRhythm& rhythm, float share) noexcept {
     const float whole = std::floor(share), in = share - whole, strike = rhythm.right_strike;
     return whole + (in < strike ? 0.5f * in / strike : 0.5f + 0.5f * (in - strike) / (1 - strike));
+}
+
+float since_strike(const GaitRhythm& rhythm, std::size_t side, float share) noexcept {
+    const float strike = side == 0 ? 0.0f : 0.5f;
+    return (time_share(rhythm, strike + share) - time_share(rhythm, strike)) / rhythm.frequency;
 }
 
 float foot_series_phase(float share, float lift, float series_lift) noexcept {

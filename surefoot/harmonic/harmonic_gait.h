@@ -117,6 +117,9 @@ GaitRhythm rhythm_at(const HarmonicGait& gait, float speed, float turn_deg) noex
 float time_share(const GaitRhythm& rhythm, float phase) noexcept;
 float phase_of(const GaitRhythm& rhythm, float share) noexcept;
 
+/// Time [s] since a foot's strike at a share of its own cycle.
+float since_strike(const GaitRhythm& rhythm, std::size_t side, float share) noexcept;
+
 /// Where a foot's series is when its own phase (0 at its strike) is `share`: stance over stance, swing over swing.
 float foot_series_phase(float share, float lift, float series_lift) noexcept;
 

@@ -229,10 +229,10 @@ void hear(const LiveRig& rig, LiveState& state, const LiveRequest& request) noex
 /// A foot that has long been going like this.
 LiveFoot steady_foot(const LiveRig& rig, const LiveState& state, const Mixture& now, std::size_t side) noexcept {
     LiveFoot foot;
-    const float share = own_share(now, state.limbs, side), strike = side == 0 ? 0.0f : 0.5f;
+    const float share = own_share(now, state.limbs, side);
     const GaitRhythm& rhythm = now.rhythm;
     const FootStep one = step_of(rhythm, side);
-    const float elapsed = (time_share(rhythm, strike + share) - time_share(rhythm, strike)) / rhythm.frequency;
+    const float elapsed = since_strike(rhythm, side, share);
     const RootFrame since = integrate(rhythm.velocity, rhythm.turn_rate, elapsed - 0.5f * one.stance);
     foot.plant = between(since, stance_place(rig, now, side));
     foot.swings = share >= rhythm.lift[side];
