@@ -55,9 +55,7 @@ LiveGait read_live_gait(const std::string& name) {
     const auto gait = std::make_shared<const HarmonicGait>(read_any(name));
     live.name = gait->name;
     const bool bundled = !std::filesystem::exists(name) && !fitted_gait_text(gait->name).empty();
-    live.rig = bundled ? bundled_live_rig(gait) : make_live_rig({{gait->name, gait, nullptr}});
-    if (const std::string wrong = problem(live.rig); !wrong.empty())
-        throw Error("the gait cannot be played live: " + wrong, name, "fit one from clips with two legs");
+    live.rig = live_rig_of(gait, bundled ? GaitCompany::bundled : GaitCompany::alone, name);
     std::vector<Transform> models(live.rig.stand.size());
     local_to_model(*gait->skeleton, live.rig.stand, models);
     live.roles = find_roles(*gait->skeleton, models).roles;

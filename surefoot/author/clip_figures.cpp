@@ -36,7 +36,7 @@ std::array<std::vector<float>, 2> sole_heights(const AnalyzedClip& clip) {
 PackedClip packed_for(const Project& project, std::int32_t index, const AnalyzedClip& clip,
                       const ClipFigures& figures) {
     const Skeleton& skeleton = *figures.skeleton;
-    if (clip.motion.skeleton->names != skeleton.names || clip.motion.skeleton->parents != skeleton.parents) return {};
+    if (!same_joints(*clip.motion.skeleton, skeleton)) return {};
     Motion motion = clip.motion;
     motion.skeleton = figures.skeleton;  // rest poses may differ: translations then move
     PackOptions options;

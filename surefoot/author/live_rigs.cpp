@@ -18,23 +18,23 @@ std::shared_ptr<const HarmonicGait> shared_gait(HarmonicGait gait) {
 
 }  // namespace
 
-LiveRig bundled_live_rig(std::shared_ptr<const HarmonicGait> gait) {
+LiveRig live_rig_of(std::shared_ptr<const HarmonicGait> gait, GaitCompany company, const std::string& name) {
     std::vector<LiveManner> manners{{gait->name, gait, nullptr}};
-    if (gait->name == "human") manners.push_back({"crouch", shared_gait(fitted_gait("crouch")), nullptr});
-    return make_live_rig(std::move(manners), gait->name == "idle" ? nullptr : shared_gait(fitted_gait("idle")));
-}
-
-LiveRig read_live_rig(const std::string& name) {
-    LiveRig rig;
-    if (std::filesystem::is_regular_file(name)) {
-        const auto gait = shared_gait(gait_from_json(read_file(name), name));
-        rig = make_live_rig({{gait->name, gait, nullptr}});
-    } else {
-        rig = bundled_live_rig(shared_gait(fitted_gait(name)));
+    std::shared_ptr<const HarmonicGait> idle;
+    if (company == GaitCompany::bundled) {
+        if (gait->name == "human") manners.push_back({"crouch", shared_gait(fitted_gait("crouch")), nullptr});
+        if (gait->name != "idle") idle = shared_gait(fitted_gait("idle"));
     }
+    LiveRig rig = make_live_rig(std::move(manners), std::move(idle));
     if (const std::string wrong = problem(rig); !wrong.empty())
         throw Error("the gait cannot be played live: " + wrong, name, "fit one from clips with two legs");
     return rig;
+}
+
+LiveRig read_live_rig(const std::string& name) {
+    if (!std::filesystem::is_regular_file(name))
+        return live_rig_of(shared_gait(fitted_gait(name)), GaitCompany::bundled, name);
+    return live_rig_of(shared_gait(gait_from_json(read_file(name), name)), GaitCompany::alone, name);
 }
 
 }  // namespace surefoot

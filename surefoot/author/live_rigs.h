@@ -8,9 +8,14 @@
 
 namespace surefoot {
 
-/// A gait that the program carries (fitted_gaits.h), with what belongs to it: who walks and runs can crouch as well, as
-/// manner 1, and all breathe while they stand. Check `problem`.
-LiveRig bundled_live_rig(std::shared_ptr<const HarmonicGait> gait);
+enum class GaitCompany {
+    alone,
+    bundled  ///< who walks and runs can crouch as well, as manner 1, and all breathe while they stand
+};
+
+/// `bundled` company is for gaits that the program carries (fitted_gaits.h): all are of one body. `name` is what the
+/// user called it. Throws Error where it cannot be played live.
+LiveRig live_rig_of(std::shared_ptr<const HarmonicGait> gait, GaitCompany company, const std::string& name);
 
 /// The rig of a file of a fitted gait or, where no file is called so, of a gait that the program carries. Throws Error.
 LiveRig read_live_rig(const std::string& name);

@@ -35,7 +35,7 @@ std::vector<float> upper_body_mask(const Skeleton& skeleton, const RoleMap& role
 
 /// The motion on the character's skeleton: joints must be the same, rest poses may differ (translations then move).
 Motion on_skeleton(const Motion& motion, const std::shared_ptr<const Skeleton>& skeleton) {
-    if (motion.skeleton->names != skeleton->names || motion.skeleton->parents != skeleton->parents)
+    if (!same_joints(*motion.skeleton, *skeleton))
         throw Error("its joints are not those of the other clips", "clip '" + motion.name + "'",
                     "retarget it to their skeleton, or leave it out");
     Motion same = motion;

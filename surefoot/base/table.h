@@ -2,6 +2,7 @@
 // Values that never change once they are there, in one piece: a table shares what it owns with its copies, or points at
 // memory that outlives it (an opened pack, pack_file/pack.h). Copying one copies no values.
 
+#include <algorithm>
 #include <initializer_list>
 #include <memory>
 #include <span>
@@ -45,10 +46,7 @@ class Table {
     }
 
     friend bool operator==(const Table& a, const Table& b) noexcept {
-        if (a.size() != b.size()) return false;
-        for (std::size_t i = 0; i < a.size(); ++i)
-            if (!(a[i] == b[i])) return false;
-        return true;
+        return std::equal(a.begin(), a.end(), b.begin(), b.end());
     }
 
   private:

@@ -199,6 +199,13 @@ std::string figure_7(const ColvinStudy& study, const RoleMap& roles) {
                     k_sides[m.side], -100 * m.steps.lowered));
 }
 
+/// Step 4: from where to where the leg swings, and about what.
+void swing_arrows(Picture& picture, const ColvinInput& leg, const ColvinTrace& trace) {
+    picture.arrow(leg.hip, leg.hip + trace.posed.ankle, "before", "posed");
+    picture.arrow(leg.hip, leg.target, "after", "target");
+    picture.arrow(leg.hip, leg.hip + axis_of(trace.swing) * 0.4f, "about", "axis");
+}
+
 std::string figure_8(const ColvinStudy& study, const RoleMap& roles) {
     const ColvinMoment& m = study.turned;
     const ColvinInput& leg = m.steps.legs[m.side];
@@ -208,9 +215,7 @@ std::string figure_8(const ColvinStudy& study, const RoleMap& roles) {
     picture.body(m.placed, "solid", m.side);
     picture.leg(leg.hip, leg.hip + trace.posed.knee, leg.hip + trace.posed.ankle, m.side, "solid");
     picture.triad(leg.target, m.placed[static_cast<std::size_t>(study.legs.side[m.side].foot)].rotation);
-    picture.arrow(leg.hip, leg.hip + trace.posed.ankle, "before", "posed");
-    picture.arrow(leg.hip, leg.target, "after", "target");
-    picture.arrow(leg.hip, leg.hip + axis_of(trace.swing) * 0.4f, "about", "axis");
+    swing_arrows(picture, leg, trace);
     const float knee = colvin_step3_knee_angle(distance(leg.hip, leg.knee), distance(leg.knee, leg.ankle),
                                                distance(leg.hip, leg.target));
     return picture.figure(
@@ -250,9 +255,7 @@ std::string figure_10(const ColvinStudy& study, const RoleMap& roles) {
     for (std::size_t side = 0; side < 2; ++side)
         picture.triad(m.steps.legs[side].target,
                       m.placed[static_cast<std::size_t>(study.legs.side[side].foot)].rotation);
-    picture.arrow(leg.hip, leg.hip + trace.posed.ankle, "before", "posed");
-    picture.arrow(leg.hip, leg.target, "after", "target");
-    picture.arrow(leg.hip, leg.hip + axis_of(trace.swing) * 0.4f, "about", "axis");
+    swing_arrows(picture, leg, trace);
     const Vec3 knee = m.placed[static_cast<std::size_t>(study.legs.side[m.side].lower)].translation - leg.hip;
     return picture.figure(
         10, "The final frame",

@@ -65,18 +65,6 @@ constexpr WalkFigure k_figures[] = {
      "some: an empty set is no pass", [](const Walk& w) { return w.metrics.planted_samples > 0; }},
 };
 
-double largest_change_mm(const Motion& a, const Motion& b) {
-    std::vector<Transform> one(static_cast<std::size_t>(a.joint_count())), other = one;
-    float largest = 0;
-    for (int f = 0; f < a.frame_count(); ++f) {
-        world_pose(a, f, one);
-        world_pose(b, f, other);
-        for (std::size_t j = 0; j < one.size(); ++j)
-            largest = std::max(largest, distance(one[j].translation, other[j].translation));
-    }
-    return static_cast<double>(largest) * 1000;
-}
-
 }  // namespace
 
 bool is_stepped(const std::string& course) {
@@ -125,7 +113,9 @@ std::vector<MeasuredWalk> measured_walks(const WalkInfo& info, const WalkCompari
         const auto i = static_cast<std::size_t>(mode);
         MeasuredWalk row{info, mode, walks.metrics[i], walks.twin_figures};
         row.judged = mode == FootMode::surefoot || !surefoot_walked;
-        if (info.course == "flat") row.flat_change_mm = largest_change_mm(walks.walked[i].motion, walks.twin.motion);
+        if (info.course == "flat")
+            row.flat_change_mm =
+                1000 * static_cast<double>(largest_distance(walks.walked[i].motion, walks.twin.motion));
         rows.push_back(row);
     }
     return rows;

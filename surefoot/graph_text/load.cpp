@@ -181,7 +181,7 @@ class Gaits {
     }
     static bool fits(const Skeleton& a, const Skeleton& b) {
         constexpr float k_near = 1e-3f;  // [m] what files round
-        bool same = a.names == b.names && a.parents == b.parents;
+        bool same = same_joints(a, b);
         for (std::size_t j = 0; same && j < a.rest.size(); ++j)
             same = distance(a.rest[j].translation, b.rest[j].translation) < k_near;
         return same;

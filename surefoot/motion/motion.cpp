@@ -40,4 +40,16 @@ std::string problem(const Motion& motion) {
     return {};
 }
 
+float largest_distance(const Motion& a, const Motion& b) {
+    std::vector<Transform> one(static_cast<std::size_t>(a.joint_count())), other = one;
+    float largest = 0;
+    for (int f = 0; f < a.frame_count(); ++f) {
+        world_pose(a, f, one);
+        world_pose(b, f, other);
+        for (std::size_t j = 0; j < one.size(); ++j)
+            largest = std::max(largest, distance(one[j].translation, other[j].translation));
+    }
+    return largest;
+}
+
 }  // namespace surefoot

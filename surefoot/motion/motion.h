@@ -42,6 +42,10 @@ Motion make_motion(std::shared_ptr<const Skeleton> skeleton, std::string name, i
 /// World transforms of all joints at a frame (joint_count() of them), root motion included.
 void world_pose(const Motion& motion, int frame, std::span<Transform> world);
 
+/// The farthest that any joint is in the world from where the other motion has it [m], frame by frame. [Limit: both of
+/// one skeleton and as many frames]
+float largest_distance(const Motion& a, const Motion& b);
+
 /// What is wrong with a motion (empty: nothing): no frames, arrays of wrong length, numbers that are not finite,
 /// an unsound skeleton. The text names frame and joint.
 std::string problem(const Motion& motion);

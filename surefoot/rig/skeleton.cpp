@@ -45,6 +45,8 @@ std::string problem(const Skeleton& s) {
     return {};
 }
 
+bool same_joints(const Skeleton& a, const Skeleton& b) noexcept { return a.names == b.names && a.parents == b.parents; }
+
 void local_to_model(const Skeleton& skeleton, std::span<const Transform> locals, std::span<Transform> models) noexcept {
     assert(locals.size() >= skeleton.parents.size() && models.size() >= skeleton.parents.size());
     for (std::size_t j = 0; j < skeleton.parents.size(); ++j) {

@@ -33,6 +33,9 @@ struct Skeleton {
 /// at most k_max_joints, arrays of equal length, parents before children, unique names, finite unit rotations.
 std::string problem(const Skeleton& skeleton);
 
+/// True where joint by joint names and parents are the same; rest poses may differ.
+bool same_joints(const Skeleton& a, const Skeleton& b) noexcept;
+
 /// Local to model space: models[j] = models[parent] * locals[j]. Both spans hold joint_count() transforms.
 void local_to_model(const Skeleton& skeleton, std::span<const Transform> locals, std::span<Transform> models) noexcept;
 

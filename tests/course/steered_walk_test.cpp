@@ -3,7 +3,8 @@
 
 #include <surefoot/course/walk.h>
 #include <surefoot/ground/shapes.h>
-#include <surefoot/synthetic/synthetic_set.h>
+
+#include "generated_walker.h"
 
 #include <gtest/gtest.h>
 
@@ -12,26 +13,11 @@
 namespace surefoot {
 namespace {
 
-const ClipSet& synthetic_set() {
-    static const ClipSet set = make_synthetic_set();
-    return set;
-}
-const Motion& clip_named(const std::string& name) {
-    for (const Motion& clip : synthetic_set().clips)
-        if (clip.name == name) return clip;
-    std::abort();
-}
-Legs default_legs() {
-    std::vector<Transform> standing(synthetic_set().skeleton->rest.size());
-    local_to_model(*synthetic_set().skeleton, synthetic_set().skeleton->rest, standing);
-    return make_legs(*synthetic_set().skeleton, synthetic_set().roles, standing, 0);
-}
-
 /// Plays a clip, but the root goes where a stick says; what comes is foreseen as though the stick stayed.
 class SteeredWalker final : public Walker {
   public:
     using Stick = float (*)(double time);  ///< turn rate, rad/s
-    SteeredWalker(const Motion& clip, Stick stick) : inner_(make_clip_walker(clip, default_legs())), stick_(stick) {}
+    SteeredWalker(const Motion& clip, Stick stick) : inner_(make_clip_walker(clip, generated_legs())), stick_(stick) {}
     const std::shared_ptr<const Skeleton>& skeleton() const override { return inner_->skeleton(); }
     const Legs& legs() const override { return inner_->legs(); }
     std::span<const Transform> standing() const override { return inner_->standing(); }
@@ -88,7 +74,7 @@ float slalom(double time) { return time < 2 ? 0.0f : time < 4.3 ? 1.6f : time < 
 
 TEST(SteeredWalk, feet_stay_on_the_hills_where_steering_changes_without_notice) {
     const Course hills = make_course("hills");
-    SteeredWalker walker(clip_named("walk"), slalom);
+    SteeredWalker walker(generated_clip("walk"), slalom);
     const WalkComparison c = compare_modes(walker, *hills.ground, 1.4f, 10);
     const WalkMetrics &none = c.metrics[0], &ours = c.metrics[2];
     EXPECT_LT(ours.penetration_max_cm, 1.5);
@@ -103,7 +89,8 @@ TEST(SteeredWalk, feet_stay_on_the_hills_where_steering_changes_without_notice) 
 
 TEST(SteeredWalk, replanning_in_mid_swing_makes_no_jump) {
     const Course hills = make_course("hills");
-    SteeredWalker steered(clip_named("walk"), slalom), straight(clip_named("walk"), [](double) { return 0.0f; });
+    SteeredWalker steered(generated_clip("walk"), slalom),
+        straight(generated_clip("walk"), [](double) { return 0.0f; });
     const auto worst = [&](SteeredWalker& walker) {
         const Walked plain = walk(walker, Plane(), {1.4f, 10, FootMode::none});
         return jumps(walk(walker, *hills.ground, {1.4f, 10, FootMode::surefoot}), plain, walker.legs());
@@ -114,7 +101,7 @@ TEST(SteeredWalk, replanning_in_mid_swing_makes_no_jump) {
 }
 
 TEST(SteeredWalk, on_flat_ground_steering_changes_nothing_either) {
-    SteeredWalker walker(clip_named("walk"), slalom);
+    SteeredWalker walker(generated_clip("walk"), slalom);
     const Walked plain = walk(walker, Plane(), {1.4f, 8, FootMode::none});
     const Jumps worst = jumps(walk(walker, Plane(), {1.4f, 8, FootMode::surefoot}), plain, walker.legs());
     EXPECT_LT(worst.step, 2e-5f);
@@ -194,8 +181,7 @@ struct Jumping {
 
 TEST(FootPlacement, other_frame_rates_give_the_same_walk) {
     const Course hills = make_course("hills");
-    const auto one = make_clip_walker(clip_named("walk"), default_legs()),
-               other = make_clip_walker(clip_named("walk"), default_legs());
+    const auto one = generated_walker(), other = generated_walker();
     ByHand fast(*one), slow(*other);
     fast.frame(0, *hills.ground);
     slow.frame(0, *hills.ground);
@@ -211,7 +197,7 @@ TEST(FootPlacement, other_frame_rates_give_the_same_walk) {
 
 TEST(FootPlacement, state_rolls_back_by_copying_bytes) {
     const Course hills = make_course("hills");
-    const auto walker = make_clip_walker(clip_named("walk"), default_legs());
+    const auto walker = generated_walker();
     ByHand hand(*walker);
     hand.frame(0, *hills.ground);
     for (int i = 0; i < 100; ++i) hand.frame(1.0f / 60, *hills.ground);
@@ -234,7 +220,7 @@ TEST(FootPlacement, without_ground_or_across_a_hitch_nothing_breaks) {
             for (GroundHit& hit : hits) hit = {false, std::nanf(""), {}, 0, {}};
         }
     };
-    const auto walker = make_clip_walker(clip_named("walk"), default_legs());
+    const auto walker = generated_walker();
     for (const FootMode mode : {FootMode::none, FootMode::colvin2013, FootMode::surefoot}) {
         ByHand hand(*walker, mode);
         for (const float dt : {0.0f, 0.016f, 0.5f, 0.0f, 3.0f, 0.001f, 0.016f, 0.2f}) {
@@ -246,7 +232,7 @@ TEST(FootPlacement, without_ground_or_across_a_hitch_nothing_breaks) {
 
 TEST(FootPlacement, feet_are_let_go_for_a_jump_and_taken_up_again_without_a_pop) {
     const Course hills = make_course("hills");
-    const auto walker = make_clip_walker(clip_named("walk"), default_legs());
+    const auto walker = generated_walker();
     const Jumping jump(*walker, *hills.ground, true);
     walker->start(1.4f);
     const Jumping stays(*walker, *hills.ground, false);
@@ -273,7 +259,7 @@ TEST(FootPlacement, feet_are_let_go_for_a_jump_and_taken_up_again_without_a_pop)
 
 TEST(FootPlacement, a_weight_that_steps_fades_evenly) {
     const Course hills = make_course("hills");
-    const auto walker = make_clip_walker(clip_named("walk"), default_legs());
+    const auto walker = generated_walker();
     ByHand hand(*walker);
     std::vector<float> offsets;
     for (int f = 0; f < 120; ++f) {
@@ -316,8 +302,7 @@ TEST(FootPlacement, a_platform_carries_feet_and_root_as_though_it_stood_still) {
         const Course still = make_course(course);
         const Vec3 velocity{0.6f, 0.25f, -0.4f};
         Carried platform(*still.ground, velocity);
-        const auto one = make_clip_walker(clip_named("walk"), default_legs()),
-                   other = make_clip_walker(clip_named("walk"), default_legs());
+        const auto one = generated_walker(), other = generated_walker();
         ByHand stands(*one), rides(*other);
         float worst = 0;
         for (int f = 0; f < 190; ++f) {
@@ -342,7 +327,7 @@ TEST(FootPlacement, a_platform_carries_feet_and_root_as_though_it_stood_still) {
 
 TEST(FootPlacement, a_teleport_forgets_the_old_ground) {
     const Course hills = make_course("hills");
-    const auto walker = make_clip_walker(clip_named("walk"), default_legs());
+    const auto walker = generated_walker();
     ByHand hand(*walker);
     for (int i = 0; i < 30; ++i) hand.frame(i ? 1.0f / 60 : 0, *hills.ground);
     hand.state = {};

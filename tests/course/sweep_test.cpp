@@ -55,9 +55,9 @@ TEST(Sweep, what_is_asked_for_by_name_is_walked) {
 TEST(Sweep, gives_the_same_bytes_with_one_thread_and_with_eight) {
     const std::vector<WalkInfo> plan = plan_sweep(small());
     set_thread_count(1);
-    const std::vector<SweptWalk> one = sweep(plan, generated_walker);
+    const std::vector<SweptWalk> one = sweep(plan, walk_generated);
     set_thread_count(8);
-    const std::vector<SweptWalk> eight = sweep(plan, generated_walker);
+    const std::vector<SweptWalk> eight = sweep(plan, walk_generated);
     set_thread_count(0);
     ASSERT_EQ(one.size(), eight.size());
     for (std::size_t i = 0; i < one.size(); ++i) {
@@ -69,12 +69,12 @@ TEST(Sweep, gives_the_same_bytes_with_one_thread_and_with_eight) {
 TEST(Sweep, is_judged_by_mode_surefoot_or_by_the_one_mode_walked) {
     SweepRequest request = small();
     request.courses = {"hills"};
-    const std::vector<SweptWalk> all = sweep(plan_sweep(request), generated_walker);
+    const std::vector<SweptWalk> all = sweep(plan_sweep(request), walk_generated);
     ASSERT_EQ(all[0].rows.size(), 3U);
     EXPECT_TRUE(meets_all_marks(all)) << walk_table(all[0].rows, TableLayout::one_walk);
     EXPECT_GT(missed_marks(all[0].rows[0]), 0) << "without foot placement";
     const FootMode none[] = {FootMode::none};
-    const std::vector<SweptWalk> bare = sweep(plan_sweep(request), generated_walker, none);
+    const std::vector<SweptWalk> bare = sweep(plan_sweep(request), walk_generated, none);
     ASSERT_EQ(bare[0].rows.size(), 1U);
     EXPECT_FALSE(meets_all_marks(bare));
     EXPECT_FALSE(meets_all_marks({})) << "nothing walked is no pass";
@@ -83,7 +83,7 @@ TEST(Sweep, is_judged_by_mode_surefoot_or_by_the_one_mode_walked) {
 TEST(Sweep, flat_ground_changes_nothing_and_traces_say_where_feet_are) {
     SweepRequest request = small();
     request.courses = {"flat"};
-    const std::vector<SweptWalk> walks = sweep(plan_sweep(request), generated_walker);
+    const std::vector<SweptWalk> walks = sweep(plan_sweep(request), walk_generated);
     const SweptWalk& walk = walks[0];
     EXPECT_LT(walk.rows[2].flat_change_mm, 1);
     const Trace& foot = walk.traces[2].foot_cm[0];

@@ -27,7 +27,7 @@ std::vector<WalkInfo> small_plan() {
 }
 
 const std::vector<SweptWalk>& walks() {
-    static const std::vector<SweptWalk> walks = sweep(small_plan(), generated_walker);
+    static const std::vector<SweptWalk> walks = sweep(small_plan(), walk_generated);
     return walks;
 }
 
@@ -63,8 +63,8 @@ TEST(WalkPage, shows_misses_by_mark_and_class_and_only_where_there_are_some) {
 TEST(WalkPage, has_the_same_bytes_with_one_thread_and_with_eight) {
     const auto page = [](int threads) {
         set_thread_count(threads);
-        const std::vector<SweptWalk> swept = sweep(small_plan(), generated_walker);
-        const std::optional<ColvinStudy> study = study_colvin(swept, generated_walker);
+        const std::vector<SweptWalk> swept = sweep(small_plan(), walk_generated);
+        const std::optional<ColvinStudy> study = study_colvin(swept, walk_generated);
         return walk_page("biped", swept, &*study);
     };
     const std::string one = page(1), eight = page(8);
@@ -73,16 +73,16 @@ TEST(WalkPage, has_the_same_bytes_with_one_thread_and_with_eight) {
 }
 
 TEST(WalkPage, draws_the_papers_figures_where_mode_colvin2013_walked_hills) {
-    const std::optional<ColvinStudy> study = study_colvin(walks(), generated_walker);
+    const std::optional<ColvinStudy> study = study_colvin(walks(), walk_generated);
     ASSERT_TRUE(study);
     const std::string page = walk_page("biped", walks(), &*study);
     for (const char* id : {"figure-7", "figure-8", "figure-9", "figure-10"})
         EXPECT_EQ(count_of(page, std::string("id=\"") + id + "\""), 1U) << id;
-    EXPECT_FALSE(study_colvin(std::span(walks()).subspan(1), generated_walker)) << "stairs alone";
+    EXPECT_FALSE(study_colvin(std::span(walks()).subspan(1), walk_generated)) << "stairs alone";
 }
 
 TEST(ColvinStudy, shows_what_foot_placement_really_did) {
-    const std::optional<ColvinStudy> study = study_colvin(walks(), generated_walker);
+    const std::optional<ColvinStudy> study = study_colvin(walks(), walk_generated);
     ASSERT_TRUE(study);
     const auto joint = [](const std::vector<Transform>& pose, int j) {
         return pose[static_cast<std::size_t>(j)].translation;

@@ -1,51 +1,26 @@
 #include <surefoot/course/walk.h>
 #include <surefoot/ground/shapes.h>
 #include <surefoot/motion/edit.h>
-#include <surefoot/synthetic/synthetic_set.h>
+
+#include "generated_walker.h"
 
 #include <gtest/gtest.h>
 
 namespace surefoot {
 namespace {
 
-/// The generated walk, as a walker.
-std::unique_ptr<Walker> preset_walker(const std::string& name = "walk") {
-    static const ClipSet set = make_synthetic_set();
-    for (const Motion& clip : set.clips)
-        if (clip.name == name) {
-            std::vector<Transform> standing(static_cast<std::size_t>(clip.joint_count()));
-            local_to_model(*set.skeleton, set.skeleton->rest, standing);
-            return make_clip_walker(clip, make_legs(*set.skeleton, set.roles, standing, 0));
-        }
-    return nullptr;
-}
-
 constexpr auto k_none = static_cast<std::size_t>(FootMode::none);
 constexpr auto k_colvin = static_cast<std::size_t>(FootMode::colvin2013);
 constexpr auto k_surefoot = static_cast<std::size_t>(FootMode::surefoot);
 
-/// Largest distance between the joints of two walks.
-float largest_difference(const Motion& a, const Motion& b) {
-    std::vector<Transform> one(static_cast<std::size_t>(a.joint_count())), other = one;
-    float largest = 0;
-    for (int f = 0; f < a.frame_count(); ++f) {
-        world_pose(a, f, one);
-        world_pose(b, f, other);
-        for (std::size_t j = 0; j < one.size(); ++j)
-            largest = std::max(largest, distance(one[j].translation, other[j].translation));
-    }
-    return largest;
-}
-
 TEST(Walk, flat_ground_leaves_every_clip_unchanged) {
     for (const char* name : {"walk", "jog", "run", "back", "walk_left", "strafe_left", "turn_left", "idle"}) {
-        const auto walker = preset_walker(name);
+        const auto walker = generated_walker(name);
         ASSERT_TRUE(walker) << name;
         const Plane flat;
         const Walked twin = walk(*walker, flat, {0, 5, FootMode::none});
-        EXPECT_LT(largest_difference(twin.motion, walk(*walker, flat, {0, 5, FootMode::surefoot}).motion), 2e-5f)
-            << name;
-        EXPECT_LT(largest_difference(twin.motion, walk(*walker, flat, {0, 5, FootMode::colvin2013}).motion), 1e-3f)
+        EXPECT_LT(largest_distance(twin.motion, walk(*walker, flat, {0, 5, FootMode::surefoot}).motion), 2e-5f) << name;
+        EXPECT_LT(largest_distance(twin.motion, walk(*walker, flat, {0, 5, FootMode::colvin2013}).motion), 1e-3f)
             << name;
     }
 }
@@ -82,7 +57,7 @@ TEST(Walk, a_mirrored_walk_over_mirrored_ground_is_the_mirrored_walk) {
             const auto there = make_clip_walker(*clip, legs), back = make_clip_walker(mirror(*clip, set.roles), legs);
             const Walked one = walk(*there, *ground, {1.2f, 10, FootMode::surefoot});
             const Walked other = walk(*back, Mirrored(*ground), {1.2f, 10, FootMode::surefoot});
-            EXPECT_LT(largest_difference(mirror(one.motion, set.roles), other.motion), 1e-3f)
+            EXPECT_LT(largest_distance(mirror(one.motion, set.roles), other.motion), 1e-3f)
                 << clip_name << " on " << course;
             for (std::size_t side = 0; side < 2; ++side) EXPECT_EQ(one.planted[side], other.planted[1 - side]);
         }
@@ -90,7 +65,7 @@ TEST(Walk, a_mirrored_walk_over_mirrored_ground_is_the_mirrored_walk) {
 
 TEST(Walk, on_hills_feet_stand_on_the_ground) {
     const Course hills = make_course("hills");
-    const WalkComparison c = compare_modes(*preset_walker(), *hills.ground, 1.4f, 10);
+    const WalkComparison c = compare_modes(*generated_walker(), *hills.ground, 1.4f, 10);
     const WalkMetrics &none = c.metrics[k_none], &ours = c.metrics[k_surefoot];
     ASSERT_GT(ours.planted_samples, 500);
     EXPECT_LT(ours.penetration_max_cm, none.penetration_max_cm / 20);
@@ -107,7 +82,7 @@ TEST(Walk, on_hills_feet_stand_on_the_ground) {
 
 TEST(Walk, colvin2013_stretches_legs_and_jerks_the_hips_as_the_paper_says) {
     const Course hills = make_course("hills");
-    const WalkComparison c = compare_modes(*preset_walker(), *hills.ground, 1.4f, 10);
+    const WalkComparison c = compare_modes(*generated_walker(), *hills.ground, 1.4f, 10);
     EXPECT_GT(c.metrics[k_colvin].over_extensions, 20);
     EXPECT_GT(c.metrics[k_colvin].hip_jerk_ratio, 2);
     EXPECT_LT(c.metrics[k_colvin].float_mean_cm, c.metrics[k_none].float_mean_cm);
@@ -117,7 +92,7 @@ TEST(Walk, slopes_are_walked_up_and_down) {
     for (const char* name : {"slope_up", "slope_down"})
         for (const float grade : {10.0f, 15.0f, 30.0f}) {
             const Course slope = make_course(name, grade);
-            const WalkComparison c = compare_modes(*preset_walker(), *slope.ground, 1.4f, 10);
+            const WalkComparison c = compare_modes(*generated_walker(), *slope.ground, 1.4f, 10);
             const WalkMetrics& m = c.metrics[k_surefoot];
             EXPECT_LT(m.penetration_max_cm, 1) << name << grade;
             EXPECT_LT(m.float_mean_cm, 0.1) << name << grade;
@@ -130,7 +105,7 @@ TEST(Walk, slopes_are_walked_up_and_down) {
 
 TEST(Walk, planning_happens_once_a_step_not_once_a_frame) {
     const Course hills = make_course("hills");
-    const auto walker = preset_walker();
+    const auto walker = generated_walker();
     const Walked walked = walk(*walker, *hills.ground, {1.4f, 10, FootMode::surefoot});
     EXPECT_LT(walked.plans, 50);
     EXPECT_GT(walked.plans, 10);
@@ -138,7 +113,7 @@ TEST(Walk, planning_happens_once_a_step_not_once_a_frame) {
 
 TEST(Walk, the_same_walk_has_the_same_bytes) {
     const Course hills = make_course("hills");
-    const auto walker = preset_walker();
+    const auto walker = generated_walker();
     const Walked a = walk(*walker, *hills.ground, {1.4f, 3, FootMode::surefoot});
     const Walked b = walk(*walker, *hills.ground, {1.4f, 3, FootMode::surefoot});
     EXPECT_EQ(a.motion.locals, b.motion.locals);

@@ -4,20 +4,14 @@
 #include <surefoot/fit/derive.h>
 #include <surefoot/fit/fit_gait.h>
 
+#include "tests/fit/baked_clip.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 namespace surefoot {
 namespace {
-
-float lowest_sole(const AnalyzedClip& clip) {
-    float lowest = 1;
-    for (const TrackFrame& frame : make_track(clip.motion, clip.legs).frames)
-        for (const auto& leg : frame.legs)
-            for (const Vec3 point : leg.sole) lowest = std::min(lowest, point.y);
-    return lowest;
-}
 
 /// Whether feet and root agree: what analysis makes of the clip as it stands.
 void expect_speed(const HarmonicGait& gait, float speed, float turn_deg) {

@@ -8,6 +8,8 @@
 #include <surefoot/synthetic/synthetic_set.h>
 #include <tests/support/motion_data.h>
 
+#include "tests/fit/baked_clip.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,12 +23,6 @@ AnalyzedClip default_clip(const std::string& name) {
         if (motion.name == name) return analyze_clip(motion, name);
     ADD_FAILURE() << "no clip " << name;
     return {};
-}
-
-double skate_of(const AnalyzedClip& clip) {
-    const WalkTrack track = make_track(concatenate(std::vector<Motion>(3, clip.motion)), clip.legs);
-    const auto frames = static_cast<std::size_t>(clip.motion.frame_count() - 1);
-    return measure_skate(track, track, {frames, 2 * frames}).mean_cm_s;
 }
 
 TEST(FitClip, every_harmonic_brings_the_gait_nearer_to_the_clip) {

@@ -6,6 +6,8 @@
 #include <surefoot/fit/fit_gait.h>
 #include <surefoot/motion/edit.h>
 
+#include "tests/fit/baked_clip.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,20 +15,6 @@
 
 namespace surefoot {
 namespace {
-
-double skate_of(const AnalyzedClip& clip) {
-    const WalkTrack track = make_track(concatenate(std::vector<Motion>(3, clip.motion)), clip.legs);
-    const auto frames = static_cast<std::size_t>(clip.motion.frame_count() - 1);
-    return measure_skate(track, track, {frames, 2 * frames}).mean_cm_s;
-}
-
-float lowest_sole(const AnalyzedClip& clip) {
-    float lowest = 1;
-    for (const TrackFrame& frame : make_track(clip.motion, clip.legs).frames)
-        for (const auto& leg : frame.legs)
-            for (const Vec3 point : leg.sole) lowest = std::min(lowest, point.y);
-    return lowest;
-}
 
 struct Asked {
     float speed, turn_deg;
