@@ -112,6 +112,21 @@ void author_nothing_changed(benchmark::State& state) {
     for (auto _ : state) library().author(state);
 }
 
+/// Text to poses, whole: numbers, Euler angles, units, and the checks of what was read.
+void bvh_read(benchmark::State& state) {
+    std::vector<std::string> texts;
+    std::size_t bytes = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(library().in()))
+        if (entry.path().extension() == ".bvh") {
+            texts.push_back(read_file(entry.path()));
+            bytes += texts.back().size();
+        }
+    for (auto _ : state)
+        for (const std::string& text : texts) benchmark::DoNotOptimize(read_bvh(text, "clip.bvh"));
+    state.SetBytesProcessed(static_cast<std::int64_t>(bytes) * state.iterations());
+}
+
+BENCHMARK(bvh_read)->Unit(benchmark::kMillisecond);
 BENCHMARK(author_cold)->Unit(benchmark::kSecond)->UseRealTime()->MeasureProcessCPUTime()->Iterations(1)->Repetitions(5);
 BENCHMARK(author_one_clip_changed)
     ->Unit(benchmark::kSecond)
