@@ -124,20 +124,22 @@ class Delaunay {
     void insert(std::int32_t point) {
         const LatticePoint& p = points_[point];
         std::vector<std::int32_t> region;
-        std::vector<char> state(cells_.size(), 0);  // 0 not looked at, 1 in conflict, 2 not
-        for (std::size_t c = 0; c < cells_.size() && region.empty(); ++c)
+        // Points come in order of position, so a cell in conflict is among the youngest.
+        for (std::size_t c = cells_.size(); c-- > 0 && region.empty();)
             if (cells_[c].alive && conflicts(cells_[c], p)) region.push_back(static_cast<std::int32_t>(c));
-        state[region.front()] = 1;
+        const std::int32_t inside = 2 * point + 1, outside = inside + 1;  // as marks of this insertion
+        marks_.resize(cells_.size(), 0);
+        marks_[region.front()] = inside;
 
         std::vector<std::int32_t> created;
         for (std::size_t n = 0; n < region.size(); ++n) {
             for (int k = 0; k <= d_; ++k) {
                 const std::int32_t next = cells_[region[n]].neighbours[k];
-                if (state[next] == 0) {
-                    state[next] = conflicts(cells_[next], p) ? 1 : 2;
-                    if (state[next] == 1) region.push_back(next);
+                if (marks_[next] != inside && marks_[next] != outside) {
+                    marks_[next] = conflicts(cells_[next], p) ? inside : outside;
+                    if (marks_[next] == inside) region.push_back(next);
                 }
-                if (state[next] == 1) continue;
+                if (marks_[next] == inside) continue;
                 created.push_back(static_cast<std::int32_t>(cells_.size()));
                 add_cell(cells_[region[n]], k, point, next);
             }
@@ -182,6 +184,7 @@ class Delaunay {
     int d_;
     std::span<const LatticePoint> points_;
     std::vector<Cell> cells_;
+    std::vector<std::int32_t> marks_;  // by cell: how the last insertion that looked at it found it
 };
 
 /// A choice of `rank` axes onto which the points can be dropped without two falling together: their projection spans
