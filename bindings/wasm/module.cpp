@@ -4,6 +4,7 @@
 // where the text is an error message.
 
 #include "scenario.h"
+#include "stage.h"
 
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/analysis/facts_json.h>
@@ -15,7 +16,10 @@
 
 #include <cstdlib>
 #include <exception>
+#include <map>
+#include <memory>
 #include <span>
+#include <string>
 
 #define SUREFOOT_EXPORT(name) __attribute__((used, export_name(#name)))
 
@@ -35,6 +39,54 @@ int guarded(const Body& body) {
 }
 
 surefoot::BlendSpace g_space;
+std::map<std::string, std::string> g_files;
+std::unique_ptr<surefoot::wasm::Stage> g_stage;
+
+/// Arrays that stay in the module's memory, for views upon them: sf_array.
+enum Array {
+    k_frame,
+    k_positions,
+    k_normals,
+    k_joints,
+    k_weights,
+    k_triangles,
+    k_inverse_bind,
+    k_terrain,
+    k_terrain_triangles
+};
+
+std::span<const std::byte> bytes_of(int array) {
+    using std::as_bytes, std::span;
+    if (!g_stage) return {};
+    const surefoot::Mesh& mesh = g_stage->mesh();
+    switch (array) {
+        case k_frame:
+            return as_bytes(g_stage->frame());
+        case k_positions:
+            return as_bytes(span(mesh.positions));
+        case k_normals:
+            return as_bytes(span(mesh.normals));
+        case k_joints:
+            return as_bytes(span(mesh.joints));
+        case k_weights:
+            return as_bytes(span(mesh.weights));
+        case k_triangles:
+            return as_bytes(span(mesh.indices));
+        case k_inverse_bind:
+            return as_bytes(g_stage->inverse_bind());
+        case k_terrain:
+            return as_bytes(span(g_stage->terrain().positions));
+        case k_terrain_triangles:
+            return as_bytes(span(g_stage->terrain().indices));
+        default:
+            return {};
+    }
+}
+
+surefoot::wasm::Stage& stage() {
+    if (!g_stage) throw surefoot::Error("there is no character yet", "", "open one first");
+    return *g_stage;
+}
 
 }  // namespace
 
@@ -92,5 +144,72 @@ SUREFOOT_EXPORT(sf_weights) int sf_weights(const float* point, std::int32_t* sam
     }
     return found.count;
 }
+
+/// Keeps a file of a project for sf_open_project.
+SUREFOOT_EXPORT(sf_put_file)
+void sf_put_file(const char* name, std::size_t name_size, const char* bytes, std::size_t size) {
+    g_files[std::string(name, name_size)] = std::string(bytes, size);
+}
+
+/// Puts the character of the files given so far on the stage; they are forgotten. Text: what it is (Stage::describe).
+/// After an error the stage is as it was.
+SUREFOOT_EXPORT(sf_open_project) int sf_open_project() {
+    return guarded([] {
+        const std::map<std::string, std::string> files = std::move(g_files);
+        g_files.clear();
+        g_stage = std::make_unique<surefoot::wasm::Stage>(surefoot::wasm::project_character(files));
+        return g_stage->describe();
+    });
+}
+
+/// The same with the character of the bundled gaits.
+SUREFOOT_EXPORT(sf_open_default) int sf_open_default() {
+    return guarded([] {
+        g_stage = std::make_unique<surefoot::wasm::Stage>(surefoot::wasm::default_character());
+        return g_stage->describe();
+    });
+}
+
+/// Another course by name, from its start; `grade_deg` is the steepness of slopes.
+SUREFOOT_EXPORT(sf_course) int sf_course(const char* name, std::size_t size, float grade_deg) {
+    return guarded([&] {
+        stage().set_course(std::string(name, size), grade_deg);
+        return std::string();
+    });
+}
+
+/// How feet are placed: 0 none, 1 colvin2013, 2 surefoot.
+SUREFOOT_EXPORT(sf_mode) void sf_mode(int mode) {
+    if (g_stage && mode >= 0 && mode <= 2) g_stage->set_mode(static_cast<surefoot::FootMode>(mode));
+}
+
+/// Somebody steers: m/s ahead and to the left, deg/s to the left.
+SUREFOOT_EXPORT(sf_steer) void sf_steer(float speed, float lateral, float turn) {
+    if (g_stage) g_stage->steer(speed, lateral, turn);
+}
+
+/// Nobody does: up and down the course at a speed.
+SUREFOOT_EXPORT(sf_patrol) void sf_patrol(float speed) {
+    if (g_stage) g_stage->patrol(speed);
+}
+
+/// Back to the start of the course.
+SUREFOOT_EXPORT(sf_restart) void sf_restart() {
+    if (g_stage) g_stage->restart();
+}
+
+/// So many frames of 1/60 s, or of a `parts`th of that each, on.
+SUREFOOT_EXPORT(sf_advance) void sf_advance(int frames, int parts) {
+    if (g_stage && frames > 0 && parts > 0) g_stage->advance(frames, parts);
+}
+
+/// Text: the figures of the last seconds (Stage::metrics).
+SUREFOOT_EXPORT(sf_metrics) int sf_metrics() {
+    return guarded([] { return stage().metrics(); });
+}
+
+/// Where an array begins and how many bytes it has; valid until the next call that opens, or changes the course.
+SUREFOOT_EXPORT(sf_array) const void* sf_array(int array) { return bytes_of(array).data(); }
+SUREFOOT_EXPORT(sf_array_bytes) std::size_t sf_array_bytes(int array) { return bytes_of(array).size(); }
 
 }  // extern "C"

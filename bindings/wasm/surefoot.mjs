@@ -5,6 +5,12 @@
 //   const facts = surefoot.analyzeBvh(text);       // throws Error with Surefoot's message
 //   const space = surefoot.space([[0, 0], [1.4, 0], [1.4, 45]], [0, -90], [5, 90]);
 //   space.weights([0.7, 10]);                      // [{ sample, weight }, …], adding up to 1
+//   surefoot.openDefault();                        // a character on a stage …
+//   surefoot.setCourse('stairs_up', 15);
+//   surefoot.advance(60);                          // … walks for a second
+//   surefoot.array('frame');                       // where its joints are, as a view upon the module's memory
+//
+// surefoot.d.ts has the types.
 
 const k_no_such_call = 52; // WASI's ENOSYS: the module has no files and no system to call
 
@@ -50,6 +56,21 @@ function imports(module, memory) {
   return wanted;
 }
 
+const k_modes = ['none', 'colvin2013', 'surefoot'];
+
+// In the order of module.cpp's Array.
+const k_arrays = {
+  frame: Float32Array,
+  positions: Float32Array,
+  normals: Float32Array,
+  joints: Uint16Array,
+  weights: Float32Array,
+  triangles: Uint32Array,
+  inverseBind: Float32Array,
+  terrain: Float32Array,
+  terrainTriangles: Uint32Array,
+};
+
 class Surefoot {
   #c;
 
@@ -75,6 +96,56 @@ class Surefoot {
       this.#text(this.#c.sf_space(low.length, values, samples.length, lows, highs)),
     );
     return { weights: (point) => this.#weights(point) };
+  }
+
+  /** Puts the character of the bundled gaits on the stage. */
+  openDefault() {
+    return JSON.parse(this.#text(this.#c.sf_open_default()));
+  }
+
+  /** The same with that of a project: the bytes of its files by name, "project.json" and "clips/…". */
+  openProject(files) {
+    for (const [name, bytes] of files)
+      this.#with([new TextEncoder().encode(name), bytes], (at, from) =>
+        this.#c.sf_put_file(at, new TextEncoder().encode(name).length, from, bytes.byteLength),
+      );
+    return JSON.parse(this.#text(this.#c.sf_open_project()));
+  }
+
+  setCourse(name, gradeDeg) {
+    const bytes = new TextEncoder().encode(name);
+    this.#with([bytes], (at) => this.#text(this.#c.sf_course(at, bytes.length, gradeDeg)));
+  }
+
+  setMode(mode) {
+    this.#c.sf_mode(k_modes.indexOf(mode));
+  }
+
+  steer(speed, lateral, turn) {
+    this.#c.sf_steer(speed, lateral, turn);
+  }
+
+  patrol(speed) {
+    this.#c.sf_patrol(speed);
+  }
+
+  restart() {
+    this.#c.sf_restart();
+  }
+
+  advance(frames, parts = 1) {
+    this.#c.sf_advance(frames, parts);
+  }
+
+  metrics() {
+    return JSON.parse(this.#text(this.#c.sf_metrics()));
+  }
+
+  /** A view upon the module's memory: read it at once, the next call may move it. */
+  array(name) {
+    const index = Object.keys(k_arrays).indexOf(name), type = k_arrays[name];
+    const size = this.#c.sf_array_bytes(index) / type.BYTES_PER_ELEMENT;
+    return new type(this.#c.memory.buffer, size ? this.#c.sf_array(index) : 0, size);
   }
 
   #weights(point) {

@@ -77,27 +77,31 @@ std::vector<double> smoothed_series(const Series& x, double fps) {
     return out;
 }
 
+TrackFrame track_frame(const RootFrame& root, std::span<const Transform> world, const Legs& legs) {
+    const auto at = [&](int joint) -> const Transform& { return world[static_cast<std::size_t>(joint)]; };
+    TrackFrame frame;
+    frame.root = root;
+    frame.hips = at(legs.hips).translation;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Leg& leg = legs.side[side];
+        const SolePoints sole = sole_points(leg, at(leg.foot), at(leg.toes == k_no_joint ? leg.foot : leg.toes));
+        LegTrack& out = frame.legs[side];
+        out.hip = at(leg.upper).translation;
+        out.knee = at(leg.lower).translation;
+        out.ankle = at(leg.foot).translation;
+        out.sole = {sole.heel, sole.mid, sole.ball, sole.toe_tip};
+        out.sole_up = rotate(at(leg.foot).rotation, leg.up);
+    }
+    return frame;
+}
+
 WalkTrack make_track(const Motion& motion, const Legs& legs) {
     WalkTrack track;
     track.fps = motion.fps;
     std::vector<Transform> world(static_cast<std::size_t>(motion.joint_count()));
-    const auto at = [&](int joint) -> const Transform& { return world[static_cast<std::size_t>(joint)]; };
     for (int f = 0; f < motion.frame_count(); ++f) {
         world_pose(motion, f, world);
-        TrackFrame frame;
-        frame.root = motion.root[static_cast<std::size_t>(f)];
-        frame.hips = at(legs.hips).translation;
-        for (std::size_t side = 0; side < 2; ++side) {
-            const Leg& leg = legs.side[side];
-            const SolePoints sole = sole_points(leg, at(leg.foot), at(leg.toes == k_no_joint ? leg.foot : leg.toes));
-            LegTrack& out = frame.legs[side];
-            out.hip = at(leg.upper).translation;
-            out.knee = at(leg.lower).translation;
-            out.ankle = at(leg.foot).translation;
-            out.sole = {sole.heel, sole.mid, sole.ball, sole.toe_tip};
-            out.sole_up = rotate(at(leg.foot).rotation, leg.up);
-        }
-        track.frames.push_back(frame);
+        track.frames.push_back(track_frame(motion.root[static_cast<std::size_t>(f)], world, legs));
     }
     return track;
 }

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace surefoot {
@@ -33,6 +34,9 @@ struct WalkTrack {
     float fps = 60;
     std::vector<TrackFrame> frames;
 };
+
+/// One frame of it: `world` are the joints' transforms.
+TrackFrame track_frame(const RootFrame& root, std::span<const Transform> world, const Legs& legs);
 
 /// The track of a world motion.
 WalkTrack make_track(const Motion& motion, const Legs& legs);

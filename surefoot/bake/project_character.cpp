@@ -13,13 +13,12 @@ namespace {
 
 /// A clip of the project with root motion. Files made by `author` have it; one that was exchanged by hand may not, and
 /// is then measured again.
-Motion load_project_clip(const ProjectClip& clip, const std::filesystem::path& folder, const RoleOverrides& roles,
-                         std::string& warning) {
-    const std::filesystem::path path = folder / clip.file;
-    std::vector<LoadedClip> loaded = read_clips(read_file(path), path.string());
+Motion load_project_clip(const ProjectClip& clip, const ReadProjectFile& read, const std::string& where,
+                         const RoleOverrides& roles, std::string& warning) {
+    const std::string path = where + clip.file;
+    std::vector<LoadedClip> loaded = read_clips(read(clip.file), path);
     if (loaded.empty())
-        throw Error("the file holds no clip", path.string(),
-                    "run 'surefoot author' again to write the project's clips");
+        throw Error("the file holds no clip", path, "run 'surefoot author' again to write the project's clips");
     Motion motion = std::move(loaded.front().motion);
     const RootFrame travel = between(motion.root.front(), motion.root.back());
     constexpr float k_moves = 0.1f;  // [m/s]
@@ -34,6 +33,11 @@ Motion load_project_clip(const ProjectClip& clip, const std::filesystem::path& f
 }  // namespace
 
 Character bake_character(const Project& project, const std::filesystem::path& folder) {
+    return bake_character(
+        project, [&](const std::string& file) { return read_file(folder / file); }, (folder / "").string());
+}
+
+Character bake_character(const Project& project, const ReadProjectFile& read, const std::string& where) {
     const std::vector<std::int32_t> used = used_clips(project.spaces, project.clips.size());
     std::vector<Motion> motions(used.size());
     std::vector<std::string> warnings(used.size());
@@ -41,7 +45,7 @@ Character bake_character(const Project& project, const std::filesystem::path& fo
         return project.clips[static_cast<std::size_t>(used[i])];
     };
     parallel_for(used.size(), [&](std::size_t i) {
-        motions[i] = load_project_clip(clip_at(i), folder, project.roles, warnings[i]);
+        motions[i] = load_project_clip(clip_at(i), read, where, project.roles, warnings[i]);
     });
     std::vector<Source> sources;
     for (std::size_t i = 0; i < used.size(); ++i)

@@ -47,6 +47,11 @@ class CharacterWalker final : public Walker {
         steering_.limit_speed(mps);
         foresight_.begin(now_);
     }
+    void steer(const LocomotionRequest& asked) noexcept override {
+        asked_ = asked;
+        steering_.take_over(asked.turn);
+        foresight_.begin(now_);
+    }
     RootFrame requested() const noexcept override { return now_.requested; }
     /// What comes is foreseen from what is asked for now: no later leg of the path is known.
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
@@ -61,6 +66,7 @@ class CharacterWalker final : public Walker {
     LocomotionRequest wanted() const noexcept {
         LocomotionRequest wanted = asked_;
         wanted.speed = steering_.speed(asked_.speed);
+        wanted.lateral = steering_.speed(asked_.lateral);
         wanted.turn = steering_.turn();
         return wanted;
     }

@@ -38,24 +38,30 @@ class GraphWalker final : public Walker {
         surefoot::start(program_, now_.state);
         for (const ParameterValue& value : values_) set(program_, now_.state, value.parameter, value.value);
         constexpr float k_run_up = 3;  // [s] for parameters and states to get there: it walks already when it starts
-        steer();
+        say();
         for (float time = 0; time < k_run_up; time += k_step) go(now_, k_step, true);
         now_.root = now_.requested = {};
         foresight_.begin(now_);
     }
     void advance(float dt) noexcept override {
         steering_.advance(dt);
-        steer();
+        say();
         go(now_, dt, true);
         foresight_.begin(now_);
     }
     void limit_speed(float mps) noexcept override {
         steering_.limit_speed(mps);
-        steer();
+        say();
         foresight_.begin(now_);
     }
     void stand_on(std::uint32_t surface) noexcept override {
         set(program_, now_.state, surface_, static_cast<float>(surface));
+    }
+    void steer(const LocomotionRequest& asked) noexcept override {
+        asked_speed_ = asked.speed;
+        steering_.take_over(asked.turn);
+        say();
+        foresight_.begin(now_);
     }
     RootFrame requested() const noexcept override { return now_.requested; }
     float feet() const noexcept override { return now_.feet; }
@@ -68,7 +74,7 @@ class GraphWalker final : public Walker {
     }
 
   private:
-    void steer() noexcept {
+    void say() noexcept {
         set(program_, now_.state, speed_, steering_.speed(asked_speed_));
         set(program_, now_.state, turn_, steering_.turn());
     }

@@ -35,6 +35,12 @@ float Steering::speed(float asked) const noexcept {
     return legs_[at_].goes ? std::clamp(asked, -limit_, limit_) : 0.0f;
 }
 
+void Steering::take_over(float turn) noexcept {
+    at_ = legs_.size() - 1;
+    legs_[at_].goes = true;
+    legs_[at_].turn = turn;
+}
+
 void Steering::advance(float dt) noexcept {
     constexpr float k_rounding = 1e-4f;  // [s]
     if (at_ + 1 < legs_.size() && spent_ >= legs_[at_].seconds - k_rounding) {

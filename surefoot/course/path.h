@@ -34,6 +34,8 @@ class Steering {
     /// The last leg holds for good.
     void advance(float dt) noexcept;
     void limit_speed(float mps) noexcept { limit_ = mps; }
+    /// Takes over from the path: from now on it goes, and turns as said [deg/s].
+    void take_over(float turn) noexcept;
 
     /// [m/s] of who would go at `asked`, which may be backward.
     float speed(float asked) const noexcept;

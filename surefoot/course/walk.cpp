@@ -1,4 +1,5 @@
 #include <surefoot/base/error.h>
+#include <surefoot/course/placed_walker.h>
 #include <surefoot/course/walk.h>
 #include <surefoot/ground/shapes.h>
 #include <surefoot/motion/edit.h>
@@ -46,38 +47,6 @@ class ClipWalker final : public Walker {
     double time_ = 0;
 };
 
-/// Model space of a walker's pose with its toes out of its own ground: all rows and the flat twin walk on the same
-/// toes.
-void clean_models(const Walker& walker, const FootRig& rig, std::span<Transform> locals,
-                  std::span<Transform> models) noexcept {
-    local_to_model(*walker.skeleton(), locals, models);
-    lift_toe_tips(rig, models, locals);
-    local_to_model(*walker.skeleton(), locals, models);
-}
-
-/// Looks ahead through a walker; scratch is made once.
-class WalkerPreview final : public LegPreview {
-  public:
-    WalkerPreview(const Walker& walker, const FootRig& rig)
-        : walker_(walker),
-          rig_(rig),
-          locals_(static_cast<std::size_t>(walker.skeleton()->joint_count())),
-          models_(locals_.size()) {}
-    void sample(std::span<const float> ahead, std::span<LegsPose> legs,
-                std::span<RootFrame> roots) const noexcept override {
-        for (std::size_t i = 0; i < ahead.size(); ++i) {
-            walker_.look(ahead[i], roots[i], locals_);
-            clean_models(walker_, rig_, locals_, models_);
-            legs[i] = read_legs(rig_, models_);
-        }
-    }
-
-  private:
-    const Walker& walker_;
-    const FootRig& rig_;
-    mutable std::vector<Transform> locals_, models_;
-};
-
 }  // namespace
 
 std::unique_ptr<Walker> make_clip_walker(const Motion& clip, const Legs& legs) {
@@ -96,39 +65,24 @@ Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request, co
     FootSettings settings;
     settings.mode = request.mode;
     settings.limit_pace = request.limit_pace;
-    const FootRig rig = make_foot_rig(*walker.skeleton(), walker.legs(), walker.standing(), settings);
-    const WalkerPreview preview(walker, rig);
-    walker.limit_speed(k_no_speed_limit);
-    walker.start(request.speed_mps);
+    PlacedWalker placed(walker, ground, settings);
+    const auto limit_of = [&](std::size_t f) { return speed_limit ? (*speed_limit)[f] : k_own_limit; };
 
     Walked walked;
     walked.motion = make_motion(walker.skeleton(), "walk", frames, k_walk_fps);
-    FootPlacementState state;
-    FootOutput output;
-    std::vector<Transform> models(static_cast<std::size_t>(walked.motion.joint_count()));
     for (int f = 0; f < frames; ++f) {
-        const std::span<Transform> locals = walked.motion.frame(f);
-        RootFrame& root = walked.motion.root[static_cast<std::size_t>(f)];
-        if (f) walker.advance(k_dt);
+        const auto at = static_cast<std::size_t>(f);
+        if (f)
+            placed.advance(k_dt, limit_of(at));
+        else
+            placed.start(request.speed_mps, limit_of(at));
+        std::copy(placed.locals().begin(), placed.locals().end(), walked.motion.frame(f).begin());
+        walked.motion.root[at] = placed.root();
         walked.requested.push_back(walker.requested());
-        walker.look(0, root, locals);
-        root.position.y = height_at(ground, root.position.x, root.position.z);
-        clean_models(walker, rig, locals, models);
-        FootInput input;
-        input.dt = f ? k_dt : 0;
-        input.root = root;
-        input.weight = walker.feet();
-        input.legs = read_legs(rig, models);
-        place_feet(rig, state, input, ground, &preview, output);
-        apply(rig, output, models, locals);
-        walked.speed_limit.push_back(speed_limit ? (*speed_limit)[static_cast<std::size_t>(f)] : output.speed_limit);
-        walker.limit_speed(walked.speed_limit.back());
-        for (std::size_t side = 0; side < 2; ++side) {
-            walked.planted[side].push_back(output.planted[side]);
-            if (output.planted[side]) walker.stand_on(output.surface[side]);
-        }
+        walked.speed_limit.push_back(placed.speed_limit());
+        for (std::size_t side = 0; side < 2; ++side) walked.planted[side].push_back(placed.feet().planted[side]);
     }
-    walked.plans = state.plans;
+    walked.plans = placed.state().plans;
     return walked;
 }
 

@@ -33,6 +33,8 @@ class Walker {
     /// Back to the start: the root at the origin facing +Z, already walking straight ahead.
     virtual void start(float speed_mps) = 0;
     virtual void advance(float dt) noexcept = 0;
+    /// From now on this is asked for instead of what its path says. What cannot be steered does not heed it.
+    virtual void steer(const LocomotionRequest& /*asked*/) noexcept {}
     /// From now on it goes no faster, whatever is asked for [m/s]. What cannot be steered does not heed it.
     virtual void limit_speed(float /*mps*/) noexcept {}
     /// It stands on this now (GroundHit::surface).

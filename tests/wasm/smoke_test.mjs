@@ -9,6 +9,8 @@ import { load } from '../../bindings/wasm/surefoot.mjs';
 const [moduleFile, twinFile] = process.argv.slice(2);
 const twin = (what) => execFileSync(twinFile, [what], { encoding: 'utf8', maxBuffer: 1 << 28 });
 const surefoot = await load(readFileSync(moduleFile));
+const nothing = new Proxy({}, { get: () => new Proxy({}, { get: () => () => 0, has: () => true }) });
+const { instance } = await WebAssembly.instantiate(readFileSync(moduleFile), nothing);
 
 let passed = 0;
 function test(name, body) {
@@ -48,6 +50,79 @@ test('memory grows and is given back', () => {
   const space = surefoot.space([[0], [1]], [0], [1]);
   for (let i = 0; i < 20000; ++i) space.weights([i / 20000]);
   surefoot.scenarios();
+});
+
+test('the module exports what surefoot.d.ts declares, with as many parameters', () => {
+  const types = readFileSync(new URL('../../bindings/wasm/surefoot.d.ts', import.meta.url), 'utf8');
+  const declared = new Map();
+  for (const [, name, parameters] of types.matchAll(/^  (sf_\w+)\((.*)\): \w+;$/gm))
+    declared.set(name, parameters === '' ? 0 : parameters.split(',').length);
+  const exported = Object.entries(instance.exports).filter(([name]) => name.startsWith('sf_'));
+  assert.ok(exported.length > 10);
+  assert.deepEqual([...declared].sort(), exported.map(([name, call]) => [name, call.length]).sort());
+});
+
+/** What native twin and browser play alike; see twin.cpp. */
+function playStage(frame) {
+  surefoot.openDefault();
+  const play = (frames, parts) => {
+    for (let f = 0; f < frames; ++f) {
+      surefoot.advance(1, parts);
+      frame(surefoot.array('frame'));
+    }
+  };
+  surefoot.setCourse('stairs_up', 15);
+  surefoot.patrol(1.2);
+  play(300, 1);
+  surefoot.steer(1.4, 0, 30);
+  play(120, 1);
+  surefoot.setMode('colvin2013');
+  surefoot.steer(0.5, 0.25, -20);
+  play(60, 2);
+  surefoot.setMode('none');
+  play(60, 1);
+}
+
+test('a steered walk has the same bits as natively, frame by frame', () => {
+  const native = execFileSync(twinFile, ['stage'], { maxBuffer: 1 << 28 });
+  let at = 0;
+  playStage((frame) => {
+    const bytes = Buffer.from(frame.buffer, frame.byteOffset, frame.byteLength);
+    assert.ok(bytes.equals(native.subarray(at, at + bytes.length)), `the frame at byte ${at}`);
+    at += bytes.length;
+  });
+  assert.equal(at, native.length);
+});
+
+test('what a character is has all that surefoot.d.ts declares, and its mesh is sound', () => {
+  const types = readFileSync(new URL('../../bindings/wasm/surefoot.d.ts', import.meta.url), 'utf8');
+  const facts = surefoot.openDefault();
+  const keys = (name) => {
+    const body = types.match(new RegExp(`export interface ${name} \\{\n([^]*?)\n\\}`))[1];
+    return [...body.matchAll(/^  (\w+):/gm)].map((match) => match[1]).sort();
+  };
+  assert.deepEqual(Object.keys(facts).sort(), keys('CharacterFacts'));
+  assert.deepEqual(Object.keys(facts.layout).sort(), keys('FrameLayout'));
+  const joints = facts.joints.length, vertices = surefoot.array('positions').length / 3;
+  assert.equal(surefoot.array('frame').length, facts.layout.joints + 16 * joints);
+  assert.equal(surefoot.array('inverseBind').length, 16 * joints);
+  assert.equal(surefoot.array('weights').length, 4 * vertices);
+  assert.ok(surefoot.array('triangles').every((corner) => corner < vertices));
+  assert.ok(surefoot.array('joints').every((joint) => joint < joints));
+  assert.ok(surefoot.array('terrain').length > 0 && surefoot.array('terrainTriangles').length % 3 === 0);
+});
+
+test('figures come after two seconds, and errors leave the stage as it was', () => {
+  const facts = surefoot.openDefault();
+  assert.equal(surefoot.metrics(), null);
+  surefoot.advance(150);
+  assert.equal(surefoot.metrics().length, facts.figures.length);
+  assert.throws(() => surefoot.setCourse('moon', 15), /there is no course 'moon'/);
+  assert.throws(() => surefoot.openProject([]), /project\.json/);
+  const bad = new TextEncoder().encode('{"version": 1');
+  assert.throws(() => surefoot.openProject([['project.json', bad]]), /project\.json/);
+  surefoot.advance(1);
+  assert.equal(surefoot.metrics().length, facts.figures.length);
 });
 
 console.log(`${passed} tests passed`);

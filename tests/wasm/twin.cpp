@@ -2,6 +2,7 @@
 // scenarios, or the BVH text or the facts of the example clip.
 
 #include <bindings/wasm/scenario.h>
+#include <bindings/wasm/stage.h>
 
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/analysis/facts_json.h>
@@ -12,11 +13,36 @@
 #include <cstdio>
 #include <cstring>
 
-// wasm_twin scenarios | bvh | facts (the facts of the clip that `bvh` prints)
+/// The frames of a stage as bytes, one after the other: as tests/studio and smoke_test.mjs play it.
+void write_stage() {
+    surefoot::wasm::Stage stage(surefoot::wasm::default_character());
+    const auto play = [&](int frames, int parts) {
+        for (int f = 0; f < frames; ++f) {
+            stage.advance(1, parts);
+            std::fwrite(stage.frame().data(), 1, stage.frame().size_bytes(), stdout);
+        }
+    };
+    stage.set_course("stairs_up", 15);
+    stage.patrol(1.2f);
+    play(300, 1);
+    stage.steer(1.4f, 0, 30);
+    play(120, 1);
+    stage.set_mode(surefoot::FootMode::colvin2013);
+    stage.steer(0.5f, 0.25f, -20);
+    play(60, 2);
+    stage.set_mode(surefoot::FootMode::none);
+    play(60, 1);
+}
+
+// wasm_twin scenarios | bvh | facts (the facts of the clip that `bvh` prints) | stage
 int main(int argc, char** argv) {
     const char* what = argc > 1 ? argv[1] : "scenarios";
     if (std::strcmp(what, "scenarios") == 0) {
         std::fputs(surefoot::wasm::run_scenarios().c_str(), stdout);
+        return 0;
+    }
+    if (std::strcmp(what, "stage") == 0) {
+        write_stage();
         return 0;
     }
     const std::string bvh = surefoot::wasm::example_bvh();

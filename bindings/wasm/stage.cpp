@@ -1,0 +1,291 @@
+#include "stage.h"
+
+#include <surefoot/analysis/analyze.h>
+#include <surefoot/author/place.h>
+#include <surefoot/base/error.h>
+#include <surefoot/ground/shapes.h>
+#include <surefoot/mannequin/mannequin.h>
+#include <surefoot/math/trig.h>
+#include <surefoot/preset/default_set.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace surefoot::wasm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr Extent k_shown{-24, 24, -16, 72};
+constexpr Extent k_shown_rubble{-9, 9, -6, 58};  // thirty centimetres a tile: many triangles
+
+/// What lies where in a frame, in floats. The names are those of surefoot.d.ts; a test holds the two together.
+enum Place : std::size_t {
+    k_time,
+    k_root,                // x, y, z [m], yaw [rad]
+    k_speed = k_root + 4,  // [m/s]
+    k_turn,                // [deg/s]
+    k_speed_limit,         // [m/s] of foot placement; 0: none
+    k_hips,                // height over the ground under the root [m]
+    k_feet,                // two of k_foot_floats
+    k_foot_floats = 36,
+    k_joints = k_feet + 2 * k_foot_floats  // 16 a joint: 4x4, column-major, world
+};
+enum FootPlace : std::size_t {
+    k_contact,    // 0 lifted, 1 heel, 2 toes, 3 flat: as the clip means it
+    k_planted,    // 1: foot placement holds it
+    k_pulled_in,  // 1: its target is out of reach
+    k_clearance,  // [m] of the lowest point of the sole over the ground under it
+    k_knee,       // [deg] interior
+    k_has_next,   // 1: the next four are known
+    k_next,       // x, y, z [m]: the next foothold
+    k_next_normal = k_next + 3,
+    k_next_yaw = k_next_normal + 3,  // [rad]
+    k_sole,                          // heel, mid, ball, toe tip
+    k_hip = k_sole + 12,
+    k_ankle = k_hip + 3
+};
+static_assert(k_ankle + 3 <= k_foot_floats);
+
+void put(std::span<float> frame, std::size_t at, Vec3 v) {
+    frame[at] = v.x;
+    frame[at + 1] = v.y;
+    frame[at + 2] = v.z;
+}
+
+void put(std::span<float> frame, std::size_t at, const Transform& transform) {
+    const Matrix34 m = to_matrix(transform);
+    for (std::size_t column = 0; column < 4; ++column)
+        for (std::size_t row = 0; row < 4; ++row)
+            frame[at + 4 * column + row] = row < 3 ? m.m[4 * row + column] : column == 3 ? 1.0f : 0.0f;
+}
+
+/// What touches the ground, judged on the flat twin.
+int contact_of(const LegTrack& twin) {
+    constexpr float k_down = 0.02f;  // [m]
+    const bool heel = twin.sole[0].y < k_down, toes = std::min(twin.sole[2].y, twin.sole[3].y) < k_down;
+    return (heel ? 1 : 0) + (toes ? 2 : 0);
+}
+
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json axes_of(const LocomotionSpace& space) {
+    Json axes = Json::object();
+    for (const Axis& axis : space.space.axes) axes[axis.name] = {axis.low, axis.high};
+    return axes;
+}
+
+}  // namespace
+
+Character default_character() {
+    Project project;
+    project.name = "Default character";
+    std::vector<AnalyzedClip> clips;
+    for (Motion& motion : make_default_set().clips) {
+        const std::string name = motion.name;
+        clips.push_back(analyze_clip(std::move(motion), name));
+        ProjectClip clip;
+        clip.name = name;
+        clip.facts = clips.back().facts;
+        project.clips.push_back(std::move(clip));
+    }
+    std::vector<std::string> warnings;
+    place_clips(project, {}, nullptr, warnings);
+    return bake_character(clips, project.spaces, project.name);
+}
+
+Character project_character(const std::map<std::string, std::string>& files) {
+    const auto bytes_of = [&](const std::string& file) -> const std::string& {
+        const auto found = files.find(file);
+        if (found == files.end())
+            throw Error("the file is missing", file, "choose the folder that 'surefoot author -o' wrote");
+        return found->second;
+    };
+    const Project project = parse_project(bytes_of("project.json"), "project.json");
+    return bake_character(project, bytes_of);
+}
+
+Stage::Stage(Character character) : character_(std::move(character)) {
+    bind_mesh();
+    frame_.resize(k_joints + 16 * character_.standing.size());
+    models_.resize(character_.standing.size());
+    walker_ = make_character_walker(character_);
+    set_course("hills", grade_);
+}
+
+void Stage::bind_mesh() {
+    mesh_ = make_mannequin(*character_.skeleton, character_.roles, character_.legs, character_.standing);
+    std::vector<Transform> bind = mesh_.bind;
+    if (bind.empty()) {
+        bind.resize(character_.skeleton->rest.size());
+        local_to_model(*character_.skeleton, character_.skeleton->rest, bind);
+    }
+    inverse_bind_.resize(16 * bind.size());
+    for (std::size_t j = 0; j < bind.size(); ++j) put(inverse_bind_, 16 * j, inverse(bind[j]));
+}
+
+std::string Stage::describe() const {
+    Json figures = Json::array();
+    for (const WalkFigure& figure : walk_figures())
+        figures.push_back({{"key", figure.key},
+                           {"name", figure.head},
+                           {"unit", figure.unit},
+                           {"mark", figure.mark ? Json(figure.mark) : Json(nullptr)}});
+    Json layout = {{"time", k_time},
+                   {"root", k_root},
+                   {"speed", k_speed},
+                   {"turn", k_turn},
+                   {"speedLimit", k_speed_limit},
+                   {"hips", k_hips},
+                   {"feet", k_feet},
+                   {"footFloats", k_foot_floats},
+                   {"joints", k_joints}};
+    layout["foot"] = {{"contact", k_contact},
+                      {"planted", k_planted},
+                      {"pulledIn", k_pulled_in},
+                      {"clearance", k_clearance},
+                      {"knee", k_knee},
+                      {"hasNext", k_has_next},
+                      {"next", k_next},
+                      {"nextNormal", k_next_normal},
+                      {"nextYaw", k_next_yaw},
+                      {"sole", k_sole},
+                      {"hip", k_hip},
+                      {"ankle", k_ankle}};
+    Json out = {{"name", character_.name.empty() ? "Character" : character_.name},
+                {"joints", character_.skeleton->names},
+                {"parents", character_.skeleton->parents},
+                {"clips", character_.graph.clips.size()},
+                {"hipHeight", character_.hip_height},
+                {"facing", axes_of(character_.graph.facing)},
+                {"lateral", axes_of(character_.graph.lateral)},
+                {"courses", course_names()},
+                {"figures", std::move(figures)},
+                {"warnings", character_.warnings},
+                {"layout", std::move(layout)}};
+    for (std::size_t side = 0; side < 2; ++side) out["ankles"].push_back(character_.legs.side[side].foot);
+    return out.dump();
+}
+
+void Stage::set_course(const std::string& name, float grade_deg) {
+    course_ = make_course(name, grade_deg, false, name == "rubble" ? k_shown_rubble : k_shown);
+    grade_ = grade_deg;
+    FootSettings settings;
+    settings.mode = mode_;
+    placed_ = std::make_unique<PlacedWalker>(*walker_, *course_.ground, settings);
+    restart();
+}
+
+void Stage::set_mode(FootMode mode) noexcept {
+    if (mode == mode_) return;
+    mode_ = mode;
+    placed_->set_mode(mode);
+    rolling_.clear();
+    parts_done_ = 0;
+}
+
+void Stage::steer(float speed, float lateral, float turn) noexcept {
+    patrols_ = false;
+    asked_ = {};
+    asked_.speed = speed;
+    asked_.lateral = lateral;
+    asked_.turn = turn;
+}
+
+void Stage::patrol(float speed) noexcept {
+    patrols_ = true;
+    patrol_speed_ = speed;
+}
+
+void Stage::restart() {
+    patrol_ = Patrol(course_.length);
+    placed_->start(patrols_ ? patrol_speed_ : asked_.speed);
+    rolling_.clear();
+    time_ = 0;
+    parts_done_ = 0;
+    speed_ = patrols_ ? patrol_speed_ : asked_.speed;
+    turn_ = 0;
+    rolling_.add(*placed_, character_.legs);
+    write_frame();
+}
+
+void Stage::advance(int frames, int parts) {
+    const float dt = 1 / (k_walk_fps * static_cast<float>(parts));
+    for (int f = 0; f < frames; ++f) {
+        const RootFrame before = placed_->root();
+        walker_->steer(patrols_ ? patrol_.ask(before, patrol_speed_) : asked_);
+        placed_->advance(dt);
+        const RootFrame step = between(before, placed_->root());
+        speed_ = planar_length(step.position) / dt;
+        turn_ = step.yaw / dt / k_radians_per_degree;
+        time_ += static_cast<double>(dt);
+        // Figures are for frames of 1/60 s, whatever time is shown in between.
+        if (++parts_done_ >= parts) {
+            rolling_.add(*placed_, character_.legs);
+            parts_done_ = 0;
+        }
+    }
+    write_frame();
+}
+
+std::string Stage::metrics() const {
+    WalkInfo info;
+    info.course = course_.name;
+    info.grade_deg = grade_;
+    info.speed_mps = speed_;
+    const std::optional<MeasuredWalk> measured = rolling_.measure(*course_.ground, info, mode_);
+    if (!measured) return "null";
+    Json out = Json::array();
+    for (const WalkFigure& figure : walk_figures())
+        out.push_back({{"text", figure.text(*measured)},
+                       {"value", number(figure.value(*measured))},
+                       {"missed", figure.missed(*measured)}});
+    return out.dump();
+}
+
+void Stage::write_frame() {
+    const RootFrame root = placed_->root();
+    frame_[k_time] = static_cast<float>(time_);
+    put(frame_, k_root, root.position);
+    frame_[k_root + 3] = root.yaw;
+    frame_[k_speed] = speed_;
+    frame_[k_turn] = turn_;
+    frame_[k_speed_limit] = placed_->speed_limit() < k_no_speed_limit ? placed_->speed_limit() : 0;
+
+    local_to_model(*character_.skeleton, placed_->locals(), models_);
+    const Transform world = to_transform(root);
+    for (Transform& joint : models_) joint = world * joint;
+    for (std::size_t j = 0; j < models_.size(); ++j) put(frame_, k_joints + 16 * j, models_[j]);
+    const TrackFrame now = track_frame(root, models_, character_.legs);
+    frame_[k_hips] = now.hips.y - root.position.y;
+
+    std::vector<Transform> flat(placed_->unplaced().begin(), placed_->unplaced().end());
+    const TrackFrame twin = track_frame({}, flat, character_.legs);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::span<float> foot = std::span(frame_).subspan(k_feet + side * k_foot_floats, k_foot_floats);
+        const LegTrack& leg = now.legs[side];
+        foot[k_contact] = static_cast<float>(contact_of(twin.legs[side]));
+        foot[k_planted] = placed_->feet().planted[side] ? 1 : 0;
+        foot[k_pulled_in] = placed_->feet().pulled_in[side] ? 1 : 0;
+        float clearance = std::numeric_limits<float>::max();
+        for (std::size_t p = 0; p < k_sole_points; ++p) {
+            const Vec3 point = leg.sole[p];
+            put(foot, k_sole + 3 * p, point);
+            clearance = std::min(clearance, point.y - height_at(*course_.ground, point.x, point.z));
+        }
+        foot[k_clearance] = clearance;
+        foot[k_knee] = static_cast<float>(knee_angle(leg));
+        const FootState& state = placed_->state().feet[side];
+        foot[k_has_next] = state.has_next ? 1 : 0;
+        put(foot, k_next, state.next.foothold);
+        put(foot, k_next_normal, rotate(state.next.tilt, k_up));
+        foot[k_next_yaw] = root.yaw;
+        put(foot, k_hip, leg.hip);
+        put(foot, k_ankle, leg.ankle);
+    }
+}
+
+}  // namespace surefoot::wasm

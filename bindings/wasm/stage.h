@@ -1,0 +1,77 @@
+#pragma once
+// A character on a course for somebody to look at and to steer: what the studio's Terrain workspace shows. Plain C++
+// that a native build can run as well, so that a test can compare the two bit by bit.
+
+#include <surefoot/bake/character.h>
+#include <surefoot/course/patrol.h>
+#include <surefoot/course/placed_walker.h>
+#include <surefoot/course/rolling_metrics.h>
+#include <surefoot/mannequin/mesh.h>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace surefoot::wasm {
+
+/// The character of the bundled gaits.
+Character default_character();
+
+/// The character of a project from the bytes of its files by name ("project.json", "clips/walk.glb"). Throws Error.
+Character project_character(const std::map<std::string, std::string>& files);
+
+class Stage {
+  public:
+    explicit Stage(Character character);
+
+    /// Name, joints, limits of the axes, courses, figures, and where what lies in `frame`: one JSON object
+    /// (surefoot.d.ts: CharacterFacts).
+    std::string describe() const;
+
+    /// Another course, from its start. Throws Error for a name that is not one.
+    void set_course(const std::string& name, float grade_deg);
+    void set_mode(FootMode mode) noexcept;
+    /// Who steers: somebody with the given request, or a patrol at `speed`.
+    void steer(float speed, float lateral, float turn) noexcept;
+    void patrol(float speed) noexcept;
+    void restart();
+    /// `frames` of 1/60 s, or of a `parts`th of that each: slow motion.
+    void advance(int frames, int parts = 1);
+
+    /// The figures of the last seconds, one JSON object a figure in order of CharacterFacts::figures; null where there
+    /// is too little yet.
+    std::string metrics() const;
+    std::span<const float> frame() const noexcept { return frame_; }
+    const Mesh& mesh() const noexcept { return mesh_; }
+    /// By joint: world to the joint's frame in the pose that the mesh is bound to, 4x4 column-major.
+    std::span<const float> inverse_bind() const noexcept { return inverse_bind_; }
+    const SurfaceMesh& terrain() const noexcept { return course_.mesh; }
+
+  private:
+    void bind_mesh();
+    void write_frame();
+
+    Character character_;
+    Mesh mesh_;
+    std::vector<float> inverse_bind_, frame_;
+    std::unique_ptr<Walker> walker_;
+    std::unique_ptr<PlacedWalker> placed_;
+    Course course_;
+    float grade_ = 15;
+    FootMode mode_ = FootMode::surefoot;
+    Patrol patrol_{0};
+    bool patrols_ = true;
+    float patrol_speed_ = 1.4f;
+    LocomotionRequest asked_;
+    RollingMetrics rolling_;
+    int parts_done_ = 0;  ///< of a frame
+    double time_ = 0;     ///< [s] since the start
+    float speed_ = 0;     ///< [m/s] of the root, along the ground plane
+    float turn_ = 0;      ///< [deg/s]
+    std::vector<Transform> models_;
+};
+
+}  // namespace surefoot::wasm

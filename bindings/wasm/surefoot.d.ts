@@ -1,0 +1,142 @@
+// Types of surefoot.mjs. tests/wasm holds `Exports` against the module and the rest against what it answers.
+
+/** The module's own functions. Numbers are pointers, sizes in bytes, or what the name says. */
+export interface Exports {
+  sf_allocate(bytes: number): number;
+  sf_free(memory: number): void;
+  sf_text(): number;
+  sf_text_size(): number;
+  sf_scenarios(): number;
+  sf_analyze_bvh(text: number, size: number): number;
+  sf_space(dimensions: number, values: number, count: number, low: number, high: number): number;
+  sf_weights(point: number, samples: number, weights: number): number;
+  sf_put_file(name: number, nameSize: number, bytes: number, size: number): void;
+  sf_open_project(): number;
+  sf_open_default(): number;
+  sf_course(name: number, size: number, gradeDeg: number): number;
+  sf_mode(mode: number): void;
+  sf_steer(speed: number, lateral: number, turn: number): void;
+  sf_patrol(speed: number): void;
+  sf_restart(): void;
+  sf_advance(frames: number, parts: number): void;
+  sf_metrics(): number;
+  sf_array(array: number): number;
+  sf_array_bytes(array: number): number;
+}
+
+export type FootMode = 'none' | 'colvin2013' | 'surefoot';
+
+/** A figure of walks: what its columns are called elsewhere, too. */
+export interface Figure {
+  key: string;
+  name: string;
+  unit: string;
+  /** What is to be met, for people; null where nothing is. */
+  mark: string | null;
+}
+
+export interface FigureValue {
+  text: string;
+  value: number | null;
+  missed: boolean;
+}
+
+/** Where what lies in a frame, in floats; inside a foot relative to its own begin. */
+export interface FrameLayout {
+  /** [s] since the start of the course */
+  time: number;
+  /** x, y, z [m], yaw [rad] */
+  root: number;
+  /** [m/s] */
+  speed: number;
+  /** [deg/s] */
+  turn: number;
+  /** [m/s] of foot placement; 0: none */
+  speedLimit: number;
+  /** [m] of the hips over the ground under the root */
+  hips: number;
+  /** left, then right; `footFloats` each */
+  feet: number;
+  footFloats: number;
+  /** 16 a joint: 4x4, column-major, world */
+  joints: number;
+  foot: {
+    /** 0 lifted, 1 heel, 2 toes, 3 flat: as the clip means it */
+    contact: number;
+    /** 1: foot placement holds it */
+    planted: number;
+    /** 1: its target is out of reach */
+    pulledIn: number;
+    /** [m] of the lowest point of the sole over the ground under it */
+    clearance: number;
+    /** [deg] interior */
+    knee: number;
+    /** 1: the next foothold is known */
+    hasNext: number;
+    next: number;
+    nextNormal: number;
+    /** [rad] */
+    nextYaw: number;
+    /** heel, mid, ball, toe tip */
+    sole: number;
+    hip: number;
+    ankle: number;
+  };
+}
+
+export interface CharacterFacts {
+  name: string;
+  joints: string[];
+  parents: number[];
+  /** How many clips it has. */
+  clips: number;
+  /** [m] */
+  hipHeight: number;
+  /** Limits of the axes of its blend spaces, by name: [low, high]. */
+  facing: Record<string, [number, number]>;
+  lateral: Record<string, [number, number]>;
+  courses: string[];
+  figures: Figure[];
+  warnings: string[];
+  layout: FrameLayout;
+  /** Joints of the left and the right foot. */
+  ankles: [number, number];
+}
+
+export interface Arrays {
+  frame: Float32Array;
+  positions: Float32Array;
+  normals: Float32Array;
+  joints: Uint16Array;
+  weights: Float32Array;
+  triangles: Uint32Array;
+  inverseBind: Float32Array;
+  terrain: Float32Array;
+  terrainTriangles: Uint32Array;
+}
+
+export interface Surefoot {
+  scenarios(): string;
+  analyzeBvh(text: string): Record<string, unknown>;
+  space(
+    samples: number[][],
+    low: number[],
+    high: number[],
+  ): { weights(point: number[]): { sample: number; weight: number }[] };
+  openDefault(): CharacterFacts;
+  openProject(files: Iterable<[string, Uint8Array]>): CharacterFacts;
+  setCourse(name: string, gradeDeg: number): void;
+  setMode(mode: FootMode): void;
+  /** [m/s] ahead and to the left, [deg/s] to the left */
+  steer(speed: number, lateral: number, turn: number): void;
+  patrol(speed: number): void;
+  restart(): void;
+  /** So many frames of 1/60 s, or of a `parts`th of that each. */
+  advance(frames: number, parts?: number): void;
+  /** In order of CharacterFacts.figures; null before there are two seconds. */
+  metrics(): FigureValue[] | null;
+  array<Name extends keyof Arrays>(name: Name): Arrays[Name];
+}
+
+/** Throws Error with a text for people where the module cannot be run, and so do all calls that open or analyze. */
+export function load(bytes: BufferSource): Promise<Surefoot>;
