@@ -106,6 +106,29 @@ Character bake(const std::string& name, std::span<const Source> sources, std::sp
     return character;
 }
 
+Pack to_pack(const Character& character) {
+    Pack pack;
+    pack.program.name = character.name;
+    pack.program.body = character.graph;
+    pack.roles = character.roles;
+    pack.legs = character.legs;
+    pack.standing = character.standing;
+    pack.hip_height = character.hip_height;
+    return pack;
+}
+
+Character to_character(const Pack& pack) {
+    Character character;
+    character.name = pack.program.name;
+    character.skeleton = pack.program.body.skeleton;
+    character.roles = pack.roles;
+    character.legs = pack.legs;
+    character.hip_height = pack.hip_height;
+    character.standing = pack.standing;
+    character.graph = pack.program.body;
+    return character;
+}
+
 std::int32_t add_clip(Character& character, const Motion& motion, const ClipFacts& facts) {
     PackOptions options;
     options.steady_root = facts.cyclic;

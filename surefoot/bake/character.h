@@ -4,6 +4,7 @@
 #include <surefoot/author/project.h>
 #include <surefoot/graph/locomotion.h>
 #include <surefoot/pack/pack_clip.h>
+#include <surefoot/pack_file/pack.h>
 #include <surefoot/rig/leg.h>
 
 #include <filesystem>
@@ -41,6 +42,10 @@ Character bake_character(const Project& project, const ReadProjectFile& read, co
 /// The same from clips in memory; the spaces' `clips` index into `clips`.
 Character bake_character(std::span<const AnalyzedClip> clips, std::span<const ProjectSpace> spaces,
                          const std::string& name = {});
+
+/// The same as a pack without a program, and back: what a host needs is in both.
+Pack to_pack(const Character& character);
+Character to_character(const Pack& pack);
 
 /// Packs one more clip for the character and returns its index in `graph.clips`: one that plays by itself, in no space.
 /// What does not go round keeps its root as it is. Throws Error where it does not fit the skeleton.

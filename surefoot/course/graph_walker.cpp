@@ -17,7 +17,7 @@ struct Going {
 
 class GraphWalker final : public Walker {
   public:
-    GraphWalker(const GraphCharacter& character, std::vector<ParameterValue> values, std::vector<PathLeg> path)
+    GraphWalker(const Pack& character, std::vector<ParameterValue> values, std::vector<PathLeg> path)
         : character_(character),
           program_(character.program),
           values_(std::move(values)),
@@ -92,7 +92,7 @@ class GraphWalker final : public Walker {
         going.requested = going.requested * integrate(velocity, turn, dt);
     }
 
-    const GraphCharacter& character_;
+    const Pack& character_;
     const Program& program_;
     std::vector<ParameterValue> values_;
     Steering steering_;
@@ -106,7 +106,7 @@ class GraphWalker final : public Walker {
 
 }  // namespace
 
-std::unique_ptr<Walker> make_graph_walker(const GraphCharacter& character, std::vector<ParameterValue> values,
+std::unique_ptr<Walker> make_graph_walker(const Pack& character, std::vector<ParameterValue> values,
                                           std::vector<PathLeg> path) {
     return std::make_unique<GraphWalker>(character, std::move(values), std::move(path));
 }

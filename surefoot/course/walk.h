@@ -17,7 +17,7 @@
 namespace surefoot {
 
 struct Character;
-struct GraphCharacter;
+struct Pack;
 struct LocomotionRequest;
 
 inline constexpr float k_walk_fps = 60;
@@ -66,7 +66,7 @@ struct ParameterValue {
 /// Steers a graph's character along `path` (none: straight ahead) by its parameters "speed" [m/s] and "turn" [deg/s],
 /// as far as it has them; `values` hold all the way. A parameter "surface" is told what it stands on. `character` must
 /// outlive the walker.
-std::unique_ptr<Walker> make_graph_walker(const GraphCharacter& character, std::vector<ParameterValue> values = {},
+std::unique_ptr<Walker> make_graph_walker(const Pack& character, std::vector<ParameterValue> values = {},
                                           std::vector<PathLeg> path = {});
 
 struct WalkRequest {

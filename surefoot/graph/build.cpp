@@ -66,7 +66,8 @@ void declare_motion(LocomotionSpace& space, const std::vector<PackedClip>& clips
     }
 }
 
-LocomotionSpace join(SpaceDefinition definition, LocomotionGraph& graph) {
+LocomotionSpace join(SpaceDefinition definition, const std::vector<PackedClip>& clips,
+                     std::vector<std::string>& custom_names) {
     LocomotionSpace space;
     space.space = std::move(definition.space);
     space.clips = std::move(definition.clips);
@@ -75,11 +76,15 @@ LocomotionSpace join(SpaceDefinition definition, LocomotionGraph& graph) {
         space.has_turn |= space.axes[d] == RequestAxis::turn;
         if (space.axes[d] != RequestAxis::custom) continue;
         const std::string& name = space.space.axes[d].name;
-        if (graph.custom_slot(name) < 0) graph.custom_names.push_back(name);
-        space.custom_slots[d] = static_cast<std::uint8_t>(graph.custom_slot(name));
+        const auto known = std::find(custom_names.begin(), custom_names.end(), name);
+        space.custom_slots[d] = static_cast<std::uint8_t>(known - custom_names.begin());
+        if (known == custom_names.end()) custom_names.push_back(name);
     }
-    declare_motion(space, graph.clips);
+    declare_motion(space, clips);
     return space;
+}
+LocomotionSpace join(SpaceDefinition definition, LocomotionGraph& graph) {
+    return join(std::move(definition), graph.clips, graph.custom_names);
 }
 
 /// In each quadrant of directions the smallest angle between the facing (or its opposite) and a sample's velocity.
@@ -144,6 +149,11 @@ LocomotionGraph make_locomotion_graph(std::shared_ptr<const Skeleton> skeleton, 
     return graph;
 }
 
+LocomotionSpace join_clips(SpaceDefinition definition, const std::vector<PackedClip>& clips) {
+    std::vector<std::string> names;
+    return join(std::move(definition), clips, names);
+}
+
 void add_style(LocomotionGraph& graph, std::string name, SpaceDefinition definition, std::vector<float> mask) {
     graph.styles.push_back({std::move(name), join(std::move(definition), graph), std::move(mask)});
 }
@@ -160,6 +170,7 @@ std::string problem(const LocomotionGraph& graph) {
         if (clip.joint_count != graph.skeleton->joint_count())
             return "clip '" + clip.name + "' has another number of joints than the skeleton";
     }
+    if (std::string text = problem(graph.legs, *graph.skeleton); !text.empty()) return text;
     if (graph.custom_names.size() > static_cast<std::size_t>(k_max_custom_axes))
         return "the graph's spaces have " + std::to_string(graph.custom_names.size()) + " axes of their own, from '" +
                graph.custom_names.front() + "' to '" + graph.custom_names.back() + "', and a request has room for " +

@@ -207,6 +207,27 @@ LegPaths make_leg_paths(const Skeleton& skeleton, const Legs& legs, std::span<co
     return paths;
 }
 
+std::string problem(const LegPaths& paths, const Skeleton& skeleton) {
+    if (paths.count == 0) return {};
+    if (paths.count < 0 || paths.count > LegPaths::k_most) return "the paths of the legs have a wrong number of joints";
+    const auto in = [](int value, int least, int end) { return value >= least && value < end; };
+    for (int i = 0; i < paths.count; ++i) {
+        const auto slot = static_cast<std::size_t>(i);
+        if (!in(paths.joint[slot], 0, skeleton.joint_count()) || !in(paths.parent[slot], -1, i))
+            return "the paths of the legs name a joint that is not there";
+    }
+    for (const LegPaths::Side& leg : paths.side) {
+        for (const int parent : {leg.upper_parent, leg.lower_parent, leg.foot_parent})
+            if (!in(parent, -1, paths.count)) return "a leg hangs on nothing";
+        for (const int slot : {leg.upper, leg.lower, leg.foot})
+            if (!in(slot, 0, paths.count)) return "a leg is not among the paths of the legs";
+        if (!in(leg.toes, k_no_joint, skeleton.joint_count())) return "the toes are no joint";
+        for (const Vec3 v : {leg.knee_forward, leg.heel, leg.ball})
+            if (!is_finite(v)) return "a knee or sole has no finite place";
+    }
+    return {};
+}
+
 Transform stand_on(const LegPaths::Side& leg, Quat rotation, Vec3 heel, Vec3 ball) noexcept {
     constexpr float k_level = 0.02f;  // [m] the two differ by less: it stands on both
     const float t = std::clamp(0.5f + 0.5f * (heel.y - ball.y) / k_level, 0.0f, 1.0f);

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 
 namespace surefoot {
 
@@ -34,6 +35,9 @@ struct LegPaths {
 /// `standing` is the pose, in model space, that `legs` was made from. No paths (count 0) where a skeleton has more than
 /// k_most joints in them.
 LegPaths make_leg_paths(const Skeleton& skeleton, const Legs& legs, std::span<const Transform> standing);
+
+/// What is wrong with paths for that skeleton, as a sentence; empty: nothing.
+std::string problem(const LegPaths& paths, const Skeleton& skeleton);
 
 /// Where a foot shall be: its joint in model space, and the local rotation of its toes (unused without a toe joint).
 struct FootGoal {

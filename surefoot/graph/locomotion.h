@@ -109,6 +109,8 @@ struct SpaceDefinition {
 /// Builds a graph; at least one of the spaces has samples. Check it with `problem` before use.
 LocomotionGraph make_locomotion_graph(std::shared_ptr<const Skeleton> skeleton, std::vector<PackedClip> clips,
                                       SpaceDefinition facing, SpaceDefinition lateral);
+/// A space by itself, over parameters of its own (program/program.h, SpaceNode).
+LocomotionSpace join_clips(SpaceDefinition definition, const std::vector<PackedClip>& clips);
 /// Lets blends put their feet where feet stand (graph/foot_blend.h). `standing` is the pose, in model space, that
 /// `legs` was made from.
 void set_legs(LocomotionGraph& graph, const Legs& legs, std::span<const Transform> standing);

@@ -1,11 +1,12 @@
 #pragma once
-// Graph files: JSON in, a program out (program/program.h). docs/graphs.md is their manual.
+// Graph files: JSON in, a character with a program out (pack_file/pack.h, program/program.h). docs/graphs.md is their
+// manual.
 //
 // Three tiers: a file may extend another (RFC 7396: objects are merged by key, null takes a key away), so a state graph
 // can be shared, its blend trees exchanged node by node, and the clips of a character by slot.
 
 #include <surefoot/bake/character.h>
-#include <surefoot/program/program.h>
+#include <surefoot/pack_file/pack.h>
 
 #include <filesystem>
 #include <string>
@@ -15,19 +16,11 @@ namespace surefoot {
 
 inline constexpr int k_graph_version = 1;
 
-/// A program, and what its host needs to know of the character. The character's clips are the program's.
-struct GraphCharacter {
-    Program program;
-    RoleMap roles;
-    Legs legs;
-    std::vector<Transform> standing;  ///< model space
-    float hip_height = 0;             ///< [m]
-};
-
 /// Reads a graph with all that it extends, the project that it names and the clips in its slots. Files are relative to
 /// the graph file that names them. Throws Error with the file and the path to the node. Keys that are not known are
-/// reported in `warnings`.
-GraphCharacter load_graph(const std::filesystem::path& file, std::vector<std::string>* warnings = nullptr);
+/// reported in `warnings`, how well clips were packed in `packing`, in the order of the program's.
+Pack load_graph(const std::filesystem::path& file, std::vector<std::string>* warnings = nullptr,
+                std::vector<PackReport>* packing = nullptr);
 
 /// True where a JSON text is a graph's.
 bool is_graph_text(std::string_view text);

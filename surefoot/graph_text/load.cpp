@@ -211,7 +211,8 @@ bool is_graph_text(std::string_view text) {
     return json.is_object() && json.contains(k_version_key);
 }
 
-GraphCharacter load_graph(const std::filesystem::path& file, std::vector<std::string>* warnings) {
+Pack load_graph(const std::filesystem::path& file, std::vector<std::string>* warnings,
+                std::vector<PackReport>* packing) {
     const Json json = read_merged(file, 0);
     JsonNode root(json, file.string(), "", warnings);
     root.at(k_version_key);
@@ -236,7 +237,7 @@ GraphCharacter load_graph(const std::filesystem::path& file, std::vector<std::st
     if (root.has("clips"))
         for (const auto& [slot, clip] : root.at("clips").entries()) slots.fill(slot, clip);
 
-    GraphCharacter result;
+    Pack result;
     Program& program = result.program;
     program.name = root.has("name") ? root.at("name").text() : file.stem().string();
     program.body = std::move(character.graph);
@@ -273,6 +274,7 @@ GraphCharacter load_graph(const std::filesystem::path& file, std::vector<std::st
     lay_out(program);
     if (const std::string text = problem(program); !text.empty())
         throw Error(text, file.string(), "mend the node that is named");
+    if (packing) *packing = std::move(character.packing);
     result.roles = character.roles;
     result.legs = character.legs;
     result.standing = character.standing;

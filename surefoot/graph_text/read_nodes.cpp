@@ -162,9 +162,7 @@ NodeData NodeReader::space(JsonNode& node) {
     }
     if (definition.space.samples.empty()) node.at("samples").fail("a space has samples");
     triangulate(definition.space);
-    LocomotionGraph joined =
-        make_locomotion_graph(program_.body.skeleton, program_.body.clips, std::move(definition), {});
-    result.space = std::move(joined.facing);
+    result.space = join_clips(std::move(definition), program_.body.clips);
     result.group = group_or_legs(node);
     return result;
 }

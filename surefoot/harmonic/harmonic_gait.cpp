@@ -200,10 +200,9 @@ std::string problem(const HarmonicGait& gait) {
     if (!(gait.foot_hold == 0 || (gait.foot_hold >= 0.5f && gait.foot_hold <= 1)))
         return "the share of a stance for which feet are held is not 0.5 to 1";
     const int joints = gait.skeleton->joint_count();
-    if (gait.legs.count > 0)
-        for (const Leg& leg : gait.soles.side)
-            for (const int joint : {gait.soles.hips, leg.upper, leg.lower, leg.foot})
-                if (!in(joint, 0, joints - 1)) return "the legs are of another skeleton";
+    std::string text = problem(gait.legs, *gait.skeleton);
+    if (text.empty() && gait.legs.count > 0) text = problem(gait.soles, *gait.skeleton);
+    if (!text.empty()) return "the legs are of another skeleton: " + text;
     if (static_cast<int>(gait.mean.size()) != joints) return "there is not one mean rotation a joint";
     int before = -1;
     for (const std::int16_t joint : gait.moving) {

@@ -120,6 +120,7 @@ class Check {
             if (std::string text = problem(body); !text.empty()) return text;
         } else {
             if (std::string text = problem(*body.skeleton); !text.empty()) return text;
+            if (std::string text = problem(body.legs, *body.skeleton); !text.empty()) return text;
             for (const PackedClip& packed : body.clips) {
                 if (std::string text = problem(packed); !text.empty()) return text;
                 if (packed.joint_count != body.skeleton->joint_count())
@@ -152,7 +153,6 @@ class Check {
         if (program_.nodes.back().first != 0) return program_.nodes.back().path + ": nodes are left that nothing plays";
         if (depth(static_cast<int>(program_.nodes.size()) - 1) > k_max_depth)
             return program_.nodes.back().path + ": nodes lie more than 32 deep";
-        if (program_.state_size == 0 || program_.registers == 0) return "the graph has not been laid out";
         return {};
     }
 
@@ -307,7 +307,12 @@ void lay_out(Program& program) {
     program.registers = program.nodes.empty() ? 0 : registers_of(program, static_cast<int>(program.nodes.size()) - 1);
 }
 
-std::string problem(const Program& program) { return Check(program).whole(); }
+std::string definition_problem(const Program& program) { return Check(program).whole(); }
+
+std::string problem(const Program& program) {
+    if (std::string text = definition_problem(program); !text.empty()) return text;
+    return program.state_size == 0 || program.registers == 0 ? "the graph has not been laid out" : std::string();
+}
 
 int find_node(const Program& program, std::string_view path) noexcept {
     for (std::size_t i = 0; i < program.nodes.size(); ++i)

@@ -252,6 +252,10 @@ int add_node(Program& program, std::string path, NodeData data, const std::vecto
 /// Finds out how much state and scratch a character needs. Call it once, when all is there.
 void lay_out(Program& program);
 
+/// What is wrong with what a program is made of: all of `problem` that can be told before lay_out, which needs it
+/// sound.
+std::string definition_problem(const Program& program);
+
 /// What is wrong with a laid-out program, as a sentence with the node's path; empty: nothing, and then evaluate.h
 /// cannot fail.
 std::string problem(const Program& program);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace surefoot {
 
@@ -112,6 +113,28 @@ Sole measure_sole(const Skeleton& skeleton, const RoleMap& roles, std::span<cons
 }
 
 }  // namespace
+
+std::string problem(const Legs& legs, const Skeleton& skeleton) {
+    const int joints = skeleton.joint_count();
+    const auto is_joint = [&](int joint) { return joint >= 0 && joint < joints; };
+    if (!is_joint(legs.hips)) return "the hips of the legs are no joint";
+    for (const Leg& leg : legs.side) {
+        if (!is_joint(leg.upper) || !is_joint(leg.lower) || !is_joint(leg.foot) ||
+            (leg.toes != k_no_joint && !is_joint(leg.toes)))
+            return "a leg names a joint that is not there";
+        if (leg.upper == leg.lower || leg.lower == leg.foot || !is_within(skeleton, leg.upper, legs.hips) ||
+            !is_within(skeleton, leg.lower, leg.upper) || !is_within(skeleton, leg.foot, leg.lower) ||
+            (leg.toes != k_no_joint && !is_within(skeleton, leg.toes, leg.foot)))
+            return "the joints of a leg do not follow one another from the hips to the foot";
+        for (const float bone : {leg.upper_length, leg.lower_length})
+            if (!(bone > 0 && std::isfinite(bone))) return "a bone of a leg has no length";
+        for (const Vec3 v : {leg.heel, leg.mid, leg.ball, leg.toe_tip, leg.up, leg.forward})
+            if (!is_finite(v)) return "a sole has no finite place";
+        for (const Vec3 direction : {leg.up, leg.forward})
+            if (std::fabs(length_squared(direction) - 1) > 1e-2f) return "a foot does not know which way it points";
+    }
+    return {};
+}
 
 SolePoints sole_points(const Leg& leg, const Transform& foot, const Transform& toes) noexcept {
     const Transform& front = leg.toes == k_no_joint ? foot : toes;

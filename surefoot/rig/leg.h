@@ -31,6 +31,9 @@ struct Legs {
     bool known() const noexcept { return side[0].foot != k_no_joint && side[1].foot != k_no_joint; }
 };
 
+/// What is wrong with known legs for that skeleton, as a sentence; empty: nothing.
+std::string problem(const Legs& legs, const Skeleton& skeleton);
+
 /// The sole's four points in the space of `foot` and `toes` (toes ignored without a toe joint).
 struct SolePoints {
     Vec3 heel, mid, ball, toe_tip;
