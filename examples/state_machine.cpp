@@ -12,7 +12,7 @@
 
 int main(int argc, char** argv) try {
     if (argc != 2) return std::fprintf(stderr, "usage: state_machine GRAPH.json\n"), 2;
-    const surefoot::GraphCharacter hero = surefoot::load_graph(argv[1]);
+    const surefoot::Pack hero = surefoot::load_graph(argv[1]);
     const surefoot::Program& program = hero.program;  // shared by all characters of its kind
 
     surefoot::GraphScratch scratch(program);  // one a thread

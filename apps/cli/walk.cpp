@@ -152,8 +152,8 @@ const Command k_walk{
     "walk", "Walk a character over a course and measure how its feet stand", [](CLI::App& app) {
         auto options = std::make_shared<WalkOptions>();
         app.add_option("PROJECT", options->project,
-                       "A project made by 'surefoot author' (its folder or file), a graph (docs/graphs.md), a clip, or "
-                       "a fitted gait to be played live: "
+                       "A project made by 'surefoot author' (its folder or file), a graph (docs/graphs.md), a pack of "
+                       "either, a clip, or a fitted gait to be played live: "
                        "its file, or the name of a bundled one (human)")
             ->required();
         app.add_option("--course", options->courses, "What to walk over; hills, or with --all every one (repeatable)")

@@ -3,10 +3,8 @@
 #include "walking.h"
 
 #include <surefoot/analysis/analyze.h>
-#include <surefoot/author/project.h>
 #include <surefoot/base/error.h>
 #include <surefoot/course/live_play.h>
-#include <surefoot/host/files.h>
 #include <surefoot/io/load.h>
 
 #include <CLI/CLI.hpp>
@@ -16,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace surefoot::cli {
 
@@ -121,14 +118,7 @@ LocomotionRequest request_of(const WalkOptions& options, const LocomotionGraph& 
 }
 
 void load_project_character(const WalkOptions& options, Walking& walking) {
-    needs_no_live_gait(options);
-    std::filesystem::path file = options.project;
-    if (std::filesystem::is_directory(file)) file /= "project.json";
-    std::vector<std::string> warnings;
-    const Project project = load_project(file, &warnings);
-    walking.character = bake_character(project, file.parent_path());
-    for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
-    for (const std::string& warning : walking.character.warnings) fmt::print(stderr, "{}\n", warning);
+    walking.character = to_character(walking.file.pack);
     walking.name = walking.character.name.empty() ? options.project : walking.character.name;
     walking.roles = walking.character.roles;
     const LocomotionRequest request = request_of(options, walking.character.graph);
@@ -148,21 +138,12 @@ void load_project_character(const WalkOptions& options, Walking& walking) {
                        speed, walking.name);
 }
 
-bool is_graph(const std::string& file) {
-    const std::filesystem::path path = file;
-    return path.extension() == ".json" && std::filesystem::is_regular_file(path) && is_graph_text(read_file(path));
-}
-
 void load_graph_character(const WalkOptions& options, Walking& walking) {
-    needs_no_live_gait(options);
     if (!options.style.empty())
         throw Error("a graph has styles where its nodes say so", "--style", "set a parameter: --set NAME=VALUE");
-    std::vector<std::string> warnings;
-    walking.graph = load_graph(options.project, &warnings);
-    for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
-    const Program& program = walking.graph.program;
+    const Program& program = walking.file.pack.program;
     walking.name = program.name;
-    walking.roles = walking.graph.roles;
+    walking.roles = walking.file.pack.roles;
     std::string names;
     for (const Parameter& parameter : program.parameters) names += (names.empty() ? "" : ", ") + parameter.name;
     std::vector<ParameterValue> values;
@@ -175,8 +156,15 @@ void load_graph_character(const WalkOptions& options, Walking& walking) {
     if (program.parameter("speed") < 0)
         fmt::print(stderr, "{} has no parameter \"speed\": it goes as fast as its nodes say\n", walking.name);
     walking.make = [&walking, values = std::move(values)](const WalkInfo& info) {
-        return make_graph_walker(walking.graph, values, walk_path(info.path, info.seconds));
+        return make_graph_walker(walking.file.pack, values, walk_path(info.path, info.seconds));
     };
+}
+
+/// A project, a graph, or a pack of either.
+void load_character(const WalkOptions& options, Walking& walking) {
+    needs_no_live_gait(options);
+    walking.file = read_character_file(options.project);
+    walking.file.pack.has_program() ? load_graph_character(options, walking) : load_project_character(options, walking);
 }
 
 void load_gait(WalkOptions& options, Walking& walking) {
@@ -204,10 +192,8 @@ void load_walking(WalkOptions& options, Walking& walking) {
         load_gait(options, walking);
     else if (is_clip_file(options.project) || options.project.find('#') != std::string::npos)
         load_clip(options, walking);
-    else if (is_graph(options.project))
-        load_graph_character(options, walking);
     else
-        load_project_character(options, walking);
+        load_character(options, walking);
 }
 
 }  // namespace surefoot::cli

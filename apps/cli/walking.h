@@ -1,11 +1,11 @@
 #pragma once
 // What `surefoot walk` is asked for, and what walks.
 
+#include "character_file.h"
 #include "live_gait.h"
 
 #include <surefoot/bake/character.h>
 #include <surefoot/course/sweep.h>
-#include <surefoot/graph_text/graph_file.h>
 
 #include <functional>
 #include <string>
@@ -32,8 +32,8 @@ struct WalkOptions {
 /// What walks: the character of a project, the steady cycle of a clip, or gaits played live.
 struct Walking {
     std::string name;
-    Character character;
-    GraphCharacter graph;
+    CharacterFile file;
+    Character character;  ///< of `file`, where that has no program
     LiveGait live;
     RoleMap roles;
     /// A walker on the way that a walk asks for; what it walks with lives here.

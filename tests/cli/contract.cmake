@@ -56,6 +56,23 @@ expect(1 "**" walk project --all --course hills --path straight --speed 1.4 --se
 if(NOT EXISTS "${SCRATCH}/walks.html" OR EXISTS "${SCRATCH}/walks.glb")
   message(SEND_ERROR "walk --all: the page was not written, or a scene was")
 endif()
+
+# A pack walks as what it was baked from.
+expect(0 "a project without a graph, 24 bytes a character" bake project -o hero.sfpack)
+expect(0 "\"error_mm\": null" bake hero.sfpack --json)
+expect(2 "not named .sfpack" bake project -o hero.pack)
+foreach(from project hero.sfpack)
+  execute_process(COMMAND "${PROGRAM}" walk ${from} --course stairs_up --seconds 4 --json WORKING_DIRECTORY "${SCRATCH}"
+                  OUTPUT_VARIABLE walked_${from} RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    message(SEND_ERROR "walk ${from}: exit code ${result}")
+  endif()
+endforeach()
+if(NOT walked_project STREQUAL "${walked_hero.sfpack}" OR walked_project STREQUAL "")
+  message(SEND_ERROR "a pack does not walk as its project: ${walked_project} ${walked_hero.sfpack}")
+endif()
+file(COPY_FILE "${SCRATCH}/project/project.json" "${SCRATCH}/broken.sfpack")
+expect(2 "it does not begin like a pack" walk broken.sfpack)
 expect(2 "is not one to write" mirror project/clips/walk.glb mirrored.fbx)
 expect(2 "'nan' is not a number" cut project/clips/walk.glb cut.glb --from nan)
 expect(0 "" mirror project/clips/walk_left.glb mirrored.glb)

@@ -19,7 +19,7 @@ TEST(GraphWalker, a_graph_that_plays_a_projects_spaces_walks_as_the_project_does
         "parameters": {"speed": {"low": -1, "high": 5, "rate_per_s": 2.5},
                        "turn": {"low": -90, "high": 90, "rate_per_s": 240}},
         "nodes": {"move": {"type": "locomotion", "speed": "speed", "turn": "turn"}}, "root": "move"})");
-    const GraphCharacter graph = load_graph(folder.path / "walk.json");
+    const Pack graph = load_graph(folder.path / "walk.json");
     const Project project = load_project(folder.path / "project.json");
     const Character character = bake_character(project, folder.path);
     const Plane flat;
@@ -56,7 +56,7 @@ TEST(GraphWalker, what_it_stands_on_and_how_feet_are_placed_go_round_by_the_grap
         "nodes": {"move": {"type": "locomotion", "speed": "speed"},
                   "all": {"type": "feet", "of": "move", "weight": {"parameter": "surface", "scale": -1, "offset": 1}}},
         "root": "all"})");
-    const GraphCharacter graph = load_graph(folder.path / "walk.json");
+    const Pack graph = load_graph(folder.path / "walk.json");
     const auto walker = make_graph_walker(graph);
     const Walked placed = walk(*walker, Platform(), {1.4f, 8, FootMode::surefoot});
     const Walked own = walk(*walker, Platform(), {1.4f, 8, FootMode::none});

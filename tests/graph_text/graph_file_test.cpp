@@ -71,7 +71,7 @@ class GraphFile : public testing::Test {
 
 TEST_F(GraphFile, walks_as_asked_and_takes_its_transitions) {
     std::vector<std::string> warnings;
-    const GraphCharacter hero = load_graph(write(k_graph), &warnings);
+    const Pack hero = load_graph(write(k_graph), &warnings);
     EXPECT_TRUE(warnings.empty()) << warnings.front();
     const Program& program = hero.program;
     EXPECT_EQ(program.name, "hero");
@@ -113,7 +113,7 @@ TEST_F(GraphFile, walks_as_asked_and_takes_its_transitions) {
 
 TEST_F(GraphFile, extends_another_and_exchanges_what_it_names) {
     write(k_graph, "base.json");
-    const GraphCharacter heavy = load_graph(write(R"({"surefoot_graph": 1, "extends": "base.json", "name": "heavy",
+    const Pack heavy = load_graph(write(R"({"surefoot_graph": 1, "extends": "base.json", "name": "heavy",
         "clips": {"greeting": "walk"}, "parameters": {"speed": {"high": 2}, "look": null}})"));
     EXPECT_EQ(heavy.program.name, "heavy");
     EXPECT_EQ(heavy.program.parameter("look"), -1);
@@ -166,7 +166,7 @@ TEST_F(GraphFile, damaged_files_are_refused_or_sound) {
     int refused = 0;
     for (int i = 0; i < 150; ++i) {
         try {
-            const GraphCharacter hero = load_graph(write(test::damaged(k_graph, random)));
+            const Pack hero = load_graph(write(test::damaged(k_graph, random)));
             EXPECT_EQ(problem(hero.program), "");
         } catch (const Error&) {
             ++refused;
@@ -177,7 +177,7 @@ TEST_F(GraphFile, damaged_files_are_refused_or_sound) {
 }
 
 TEST_F(GraphFile, a_live_gait_needs_no_project) {
-    const GraphCharacter character = load_graph(write(R"({"surefoot_graph": 1,
+    const Pack character = load_graph(write(R"({"surefoot_graph": 1,
         "parameters": {"speed": {"low": 0, "high": 5}}, "gaits": {"legs": "human"},
         "nodes": {"go": {"type": "gait", "gait": "legs", "speed": "speed", "manner": 0}}, "root": "go"})"));
     const Program& program = character.program;
@@ -223,7 +223,7 @@ TEST_F(GraphFile, a_live_gait_joins_a_project_of_the_same_skeleton_only) {
 TEST_F(GraphFile, every_key_of_the_schema_is_known) {
     std::vector<std::string> warnings;
     const std::string text = read_file(std::filesystem::path(SUREFOOT_SOURCE_DIR) / "tests/graph_text/whole.json");
-    const GraphCharacter character = load_graph(write(text), &warnings);
+    const Pack character = load_graph(write(text), &warnings);
     EXPECT_EQ(character.program.name, "whole");
     EXPECT_EQ(warnings, std::vector<std::string>{});
     std::string slip = text;

@@ -1,0 +1,62 @@
+#include "character_file.h"
+
+#include <surefoot/author/project.h>
+#include <surefoot/bake/character.h>
+#include <surefoot/base/error.h>
+#include <surefoot/graph_text/graph_file.h>
+#include <surefoot/host/files.h>
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <filesystem>
+
+namespace surefoot::cli {
+
+namespace {
+
+void warn(const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
+}
+
+CharacterFile open_pack(const std::string& name) {
+    CharacterFile file;
+    const std::string text = read_file(name);
+    file.bytes.resize(text.size());
+    if (!text.empty()) std::memcpy(file.bytes.data(), text.data(), text.size());
+    std::string why;
+    std::optional<Pack> pack = Pack::open(file.bytes, &why);
+    if (!pack) throw Error(why, name, "");
+    file.pack = *std::move(pack);
+    return file;
+}
+
+bool is_graph(const std::filesystem::path& path) {
+    return path.extension() == ".json" && std::filesystem::is_regular_file(path) && is_graph_text(read_file(path));
+}
+
+}  // namespace
+
+bool is_pack_file(const std::string& name) { return std::filesystem::path(name).extension() == k_pack_extension; }
+
+CharacterFile read_character_file(const std::string& name) {
+    if (is_pack_file(name)) return open_pack(name);
+    CharacterFile file;
+    std::vector<std::string> warnings;
+    if (is_graph(name)) {
+        file.pack = load_graph(name, &warnings, &file.packing);
+        warn(warnings);
+        return file;
+    }
+    std::filesystem::path path = name;
+    if (std::filesystem::is_directory(path)) path /= "project.json";
+    const Project project = load_project(path, &warnings);
+    Character character = bake_character(project, path.parent_path());
+    warn(warnings);
+    warn(character.warnings);
+    file.pack = to_pack(character);
+    file.packing = std::move(character.packing);
+    return file;
+}
+
+}  // namespace surefoot::cli

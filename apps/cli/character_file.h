@@ -1,0 +1,26 @@
+#pragma once
+// Characters as the command line names them: a project, a graph beside one, or a pack of either.
+
+#include <surefoot/pack/pack_clip.h>
+#include <surefoot/pack_file/pack.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace surefoot::cli {
+
+struct CharacterFile {
+    std::vector<std::byte> bytes;     ///< of a pack: what it points into
+    Pack pack;                        ///< of a project: without a program
+    std::vector<PackReport> packing;  ///< by clip; a pack does not know any more
+};
+
+/// A folder of a project or its project.json, a graph file, or a pack. Warnings go to standard error. Throws Error.
+CharacterFile read_character_file(const std::string& name);
+
+/// True for what has the extension of packs.
+bool is_pack_file(const std::string& name);
+inline constexpr const char* k_pack_extension = ".sfpack";
+
+}  // namespace surefoot::cli
