@@ -1,22 +1,18 @@
 // A thousand characters that share everything but 24 bytes, eight at a time where it pays.
 
-#include <surefoot/author/project.h>
-#include <surefoot/bake/character.h>
-#include <surefoot/base/error.h>
+#include "read_pack.h"
 
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <vector>
 
-int main(int argc, char** argv) try {
-    if (argc != 2) return std::fprintf(stderr, "usage: crowd PROJECT\n"), 2;
-    const std::filesystem::path folder = argv[1];
-    const surefoot::Character character =
-        surefoot::bake_character(surefoot::load_project(folder / "project.json"), folder);
+int main(int argc, char** argv) {
+    if (argc != 2) return std::fprintf(stderr, "usage: crowd X.sfpack\n"), 2;
+    const LoadedPack loaded = read_pack(argv[1]);
+    const surefoot::Pack& hero = loaded.pack;
     constexpr std::size_t k_crowd = 1000, k_lanes = surefoot::k_lanes;
-    const std::size_t joints = character.skeleton->rest.size();
+    const std::size_t joints = hero.skeleton().rest.size();
 
     std::vector<surefoot::LocomotionState> states(k_crowd);
     std::vector<surefoot::RootFrame> roots(k_crowd);
@@ -35,14 +31,14 @@ int main(int argc, char** argv) try {
                 const std::size_t i = first + lane;
                 const float pace = 0.5f + 2.5f * static_cast<float>(i) / static_cast<float>(k_crowd);
                 const surefoot::LocomotionFrame step =
-                    surefoot::update(character.graph, states[i], {.speed = pace}, 1.0f / 60);
+                    surefoot::update(hero.graph(), states[i], {.speed = pace}, 1.0f / 60);
                 roots[i] = roots[i] * step.root_delta;
                 const std::span<surefoot::Transform> mine = std::span(locals).subspan(lane * joints, joints);
-                surefoot::pose(character.graph, step, mine);
+                surefoot::pose(hero.graph(), step, mine);
                 from[lane] = mine.data();
                 to[lane] = matrices.data() + i * joints;
             }
-            surefoot::local_to_model_8(*character.skeleton, from, to, scratch);
+            surefoot::local_to_model_8(hero.skeleton(), from, to, scratch);
         }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     std::free(scratch);
@@ -51,6 +47,4 @@ int main(int argc, char** argv) try {
     std::printf("the slowest went %.2f m in a second, the fastest %.2f m\n",
                 static_cast<double>(roots.front().position.z), static_cast<double>(roots.back().position.z));
     return 0;
-} catch (const surefoot::Error& error) {
-    return std::fprintf(stderr, "%s\n", error.what()), 2;
 }

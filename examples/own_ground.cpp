@@ -1,14 +1,12 @@
 // Feet on a ground of your own: an engine would cast rays here.
 
-#include <surefoot/author/project.h>
-#include <surefoot/bake/character.h>
-#include <surefoot/base/error.h>
+#include "read_pack.h"
+
 #include <surefoot/ik/foot_placement.h>
 #include <surefoot/math/trig.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <vector>
 
 namespace {
@@ -27,16 +25,16 @@ class Waves final : public surefoot::Ground {
 };
 
 struct Walker {
-    const surefoot::Character& character;
+    const surefoot::Pack& hero;
     surefoot::LocomotionState state;
     surefoot::RootFrame root;
 
     /// Goes on by `dt`: the pose in model space, before its feet are placed.
     void go(float dt, std::span<surefoot::Transform> locals, std::span<surefoot::Transform> models) noexcept {
-        const surefoot::LocomotionFrame frame = surefoot::update(character.graph, state, {.speed = 1.2f}, dt);
+        const surefoot::LocomotionFrame frame = surefoot::update(hero.graph(), state, {.speed = 1.2f}, dt);
         root = root * frame.root_delta;
-        surefoot::pose(character.graph, frame, locals);
-        surefoot::local_to_model(*character.skeleton, locals, models);
+        surefoot::pose(hero.graph(), frame, locals);
+        surefoot::local_to_model(hero.skeleton(), locals, models);
     }
 };
 
@@ -44,7 +42,7 @@ struct Walker {
 class Preview final : public surefoot::LegPreview {
   public:
     Preview(const Walker& walker, const surefoot::FootRig& rig)
-        : walker_(walker), rig_(rig), locals_(walker.character.skeleton->rest.size()), models_(locals_.size()) {}
+        : walker_(walker), rig_(rig), locals_(walker.hero.skeleton().rest.size()), models_(locals_.size()) {}
     void sample(std::span<const float> ahead, std::span<surefoot::LegsPose> legs,
                 std::span<surefoot::RootFrame> roots) const noexcept override {
         for (std::size_t i = 0; i < ahead.size(); ++i) {
@@ -63,17 +61,16 @@ class Preview final : public surefoot::LegPreview {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-    if (argc != 2) return std::fprintf(stderr, "usage: own_ground PROJECT\n"), 2;
-    const std::filesystem::path folder = argv[1];
-    const surefoot::Character character =
-        surefoot::bake_character(surefoot::load_project(folder / "project.json"), folder);
-    const surefoot::FootRig rig = surefoot::make_foot_rig(*character.skeleton, character.legs, character.standing);
-    Walker walker{character, {}, {}};
+int main(int argc, char** argv) {
+    if (argc != 2) return std::fprintf(stderr, "usage: own_ground X.sfpack\n"), 2;
+    const LoadedPack loaded = read_pack(argv[1]);
+    const surefoot::Pack& hero = loaded.pack;
+    const surefoot::FootRig rig = surefoot::make_foot_rig(hero.skeleton(), hero.legs, hero.standing);
+    Walker walker{hero, {}, {}};
     const Preview preview(walker, rig);
     const Waves ground;
     surefoot::FootPlacementState feet;
-    std::vector<surefoot::Transform> locals(character.skeleton->rest.size()), models(locals.size());
+    std::vector<surefoot::Transform> locals(hero.skeleton().rest.size()), models(locals.size());
     float deepest = 0;
     for (int frame = 0; frame < 600; ++frame) {
         walker.go(frame > 0 ? 1.0f / 60 : 0.0f, locals, models);
@@ -85,8 +82,8 @@ int main(int argc, char** argv) try {
         surefoot::FootOutput output;
         surefoot::place_feet(rig, feet, input, ground, &preview, output);
         surefoot::apply(rig, output, models, locals);
-        surefoot::local_to_model(*character.skeleton, locals, models);
-        for (const surefoot::Leg& leg : character.legs.side) {
+        surefoot::local_to_model(hero.skeleton(), locals, models);
+        for (const surefoot::Leg& leg : hero.legs.side) {
             const surefoot::Transform foot =
                 surefoot::to_transform(input.root) * models[static_cast<std::size_t>(leg.foot)];
             const surefoot::Vec3 heel = surefoot::transform_point(foot, leg.heel);
@@ -95,6 +92,4 @@ int main(int argc, char** argv) try {
     }
     std::printf("ten seconds over waves; no heel was deeper than %.1f cm\n", static_cast<double>(deepest) * 100);
     return deepest < 0.03f ? 0 : 1;
-} catch (const surefoot::Error& error) {
-    return std::fprintf(stderr, "%s\n", error.what()), 2;
 }

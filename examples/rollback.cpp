@@ -1,12 +1,9 @@
 // Saving, rolling back and replaying, as netcode does: a state is copied like a number.
 
-#include <surefoot/author/project.h>
-#include <surefoot/bake/character.h>
-#include <surefoot/base/error.h>
+#include "read_pack.h"
 
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <vector>
 
 namespace {
@@ -29,26 +26,23 @@ void play(const surefoot::LocomotionGraph& graph, Snapshot& now, float stick,
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-    if (argc != 2) return std::fprintf(stderr, "usage: rollback PROJECT\n"), 2;
-    const std::filesystem::path folder = argv[1];
-    const surefoot::Character character =
-        surefoot::bake_character(surefoot::load_project(folder / "project.json"), folder);
-    std::vector<surefoot::Transform> first(character.skeleton->rest.size()), again(first.size());
+int main(int argc, char** argv) {
+    if (argc != 2) return std::fprintf(stderr, "usage: rollback X.sfpack\n"), 2;
+    const LoadedPack loaded = read_pack(argv[1]);
+    const surefoot::Pack& hero = loaded.pack;
+    std::vector<surefoot::Transform> first(hero.skeleton().rest.size()), again(first.size());
 
     const auto stick = [](int frame) { return frame % 120 < 60 ? 1.5f : 0.3f; };
     Snapshot now, saved;
     for (int frame = 0; frame < 600; ++frame) {
         if (frame == 500) saved = now;  // 24 bytes and what the game adds
-        play(character.graph, now, stick(frame), first);
+        play(hero.graph(), now, stick(frame), first);
     }
     Snapshot replayed = saved;
-    for (int frame = 500; frame < 600; ++frame) play(character.graph, replayed, stick(frame), again);
+    for (int frame = 500; frame < 600; ++frame) play(hero.graph(), replayed, stick(frame), again);
 
     const bool same = std::memcmp(first.data(), again.data(), first.size() * sizeof(first[0])) == 0 &&
                       now.state == replayed.state && now.root == replayed.root;
     std::printf("rolled back 100 frames and played again: %s\n", same ? "the same to the bit" : "DIFFERENT");
     return same ? 0 : 1;
-} catch (const surefoot::Error& error) {
-    return std::fprintf(stderr, "%s\n", error.what()), 2;
 }

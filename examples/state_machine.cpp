@@ -1,7 +1,7 @@
 // A graph: parameters, a trigger, events, and the state it is in.
 
-#include <surefoot/base/error.h>
-#include <surefoot/graph_text/graph_file.h>
+#include "read_pack.h"
+
 #include <surefoot/program/evaluate.h>
 
 #include <algorithm>
@@ -10,11 +10,12 @@
 #include <string>
 #include <vector>
 
-int main(int argc, char** argv) try {
-    if (argc != 2) return std::fprintf(stderr, "usage: state_machine GRAPH.json\n"), 2;
-    const surefoot::Pack hero = surefoot::load_graph(argv[1]);
-    const surefoot::Program& program = hero.program;  // shared by all characters of its kind
+int main(int argc, char** argv) {
+    if (argc != 2) return std::fprintf(stderr, "usage: state_machine X.sfpack\n"), 2;
+    const LoadedPack loaded = read_pack(argv[1]);
+    const surefoot::Program& program = loaded.pack.program;  // shared by all characters of its kind
 
+    if (!loaded.pack.has_program()) return std::fprintf(stderr, "%s was baked from no graph\n", argv[1]), 2;
     surefoot::GraphScratch scratch(program);  // one a thread
     surefoot::GraphFrame frame(program);
     std::vector<std::byte> state(program.state_size);  // one a character
@@ -45,6 +46,4 @@ int main(int argc, char** argv) try {
     }
     std::printf("walked %.2f m\n", static_cast<double>(root.position.z));
     return 0;
-} catch (const surefoot::Error& error) {
-    return std::fprintf(stderr, "%s\n", error.what()), 2;
 }

@@ -81,7 +81,7 @@ class FieldWriter {
             put(*value);
         } else if constexpr (k_is_a<T, std::variant>) {
             put(static_cast<std::uint8_t>(value.index()));
-            std::visit([this](const auto& held) { put(held); }, value);
+            std::visit([this](const auto& held) { this->put(held); }, value);
         } else {
             fields(self(), value);
         }
@@ -121,7 +121,7 @@ class FieldReader {
             }
         } else if constexpr (k_is_a<T, std::shared_ptr>) {
             std::remove_const_t<typename T::element_type> held;
-            get(held);
+            this->get(held);
             value = std::make_shared<typename T::element_type>(std::move(held));
         } else if constexpr (k_is_a<T, std::variant>) {
             std::uint8_t index = 0;
@@ -144,7 +144,7 @@ class FieldReader {
     template <class Variant, std::size_t... Index>
     void get_alternative(Variant& value, std::size_t index, std::index_sequence<Index...>) {
         const auto take = [&](auto held) {
-            get(held);
+            this->get(held);
             value = std::move(held);
             return true;
         };

@@ -197,6 +197,26 @@ TEST(Pack, refuses_definitions_that_make_no_sense) {
          " names a table with a number that is not finite");
 }
 
+// A change of format that k_pack_version does not tell is caught here. After one that it does, this writes the new
+// file: SUREFOOT_WRITE_GOLDEN=1 test_pack_file --gtest_filter=*golden*
+TEST(Pack, the_golden_file_of_this_version_opens_and_comes_back_byte_for_byte) {
+    const auto file = std::filesystem::path(SUREFOOT_SOURCE_DIR) / "tests/pack_file" /
+                      ("version_" + std::to_string(k_pack_version) + ".sfpack");
+    if (std::getenv("SUREFOOT_WRITE_GOLDEN")) {
+        const std::vector<std::byte> made = pack_bytes(test::small_pack());
+        write_file(file, {reinterpret_cast<const char*>(made.data()), made.size()});
+    }
+    const std::string text = read_file(file);
+    std::vector<std::byte> bytes(text.size());
+    std::memcpy(bytes.data(), text.data(), text.size());
+    const Pack pack = opened(bytes);
+    EXPECT_EQ(pack_bytes(pack), bytes);
+    EXPECT_EQ(pack.program.parameter("wave"), 3);
+    EXPECT_EQ(pack.program.nodes.size(), whole().program.nodes.size());
+    EXPECT_EQ(pack.graph().styles[1].mask.at(static_cast<std::size_t>(pack.roles[Role::head])), 0.75f);
+    Played(pack, 60);
+}
+
 TEST(Pack, the_same_source_gives_the_same_bytes) { EXPECT_EQ(pack_bytes(test::whole_pack()), whole_bytes()); }
 
 }  // namespace

@@ -46,6 +46,27 @@ inline Pack whole_pack() {
     return pack;
 }
 
+/// The same with next to no keyframes: every clip has those of a walk, and the live gait is of one speed.
+inline Pack small_pack() {
+    Pack pack = whole_pack();
+    std::vector<PackedClip>& clips = pack.program.body.clips;
+    const PackedClip walk = clips[static_cast<std::size_t>(pack.clip("walk"))];
+    for (PackedClip& clip : clips) {
+        std::string name = clip.name;
+        clip = walk;
+        clip.name = std::move(name);
+    }
+    HarmonicGait gait = *pack.program.rigs[0]->manners[0].gait;
+    gait.basis.modes = 1;
+    gait.basis.degree = 0;
+    gait.coefficients.resize(static_cast<std::size_t>(value_count(gait)));
+    LiveManner manner{"going", std::make_shared<const HarmonicGait>(gait), find_footfall_pattern("amble")};
+    pack.program.rigs[0] = std::make_shared<const LiveRig>(make_live_rig({manner}, manner.gait));
+    lay_out(pack.program);
+    EXPECT_EQ(problem(pack), "");
+    return pack;
+}
+
 /// The pack's body alone, as of a project.
 inline Pack body_of(Pack pack) {
     Program program;
