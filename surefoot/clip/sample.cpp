@@ -20,7 +20,7 @@ struct Keys {
 };
 Keys keys_at(const PackedClip& clip, float time) noexcept {
     const float last = static_cast<float>(clip.frame_count - 1);
-    const float frame = std::min(std::max(time * clip.fps, 0.0f), last);
+    const float frame = std::min(std::max(0.0f, time * clip.fps), last);  // in this order: what is no number is 0
     const int from = std::min(static_cast<int>(frame), clip.frame_count - 2);
     return {from, frame - static_cast<float>(from)};
 }
@@ -110,7 +110,7 @@ RootFrame clip_root(const PackedClip& clip, float time) noexcept {
     int passes = 0;
     if (clip.cyclic && duration > 0) {
         constexpr float k_most_passes = 1e6f;
-        passes = static_cast<int>(std::min(std::max(std::floor(time / duration), -k_most_passes), k_most_passes));
+        passes = static_cast<int>(std::min(std::max(-k_most_passes, std::floor(time / duration)), k_most_passes));
         time -= static_cast<float>(passes) * duration;
     }
     const Keys keys = keys_at(clip, time);
@@ -148,11 +148,13 @@ PhaseTime phase_time(const PackedClip& clip, float phase) noexcept {
 float time_at(const PackedClip& clip, float phase) noexcept { return phase_time(clip, phase).time; }
 
 std::string problem(const PackedClip& clip) {
+    constexpr float k_least_fps = 0.01f, k_most_fps = 1e5f;
     const auto frames = static_cast<std::size_t>(clip.frame_count > 0 ? clip.frame_count : 0);
     const std::string where = "clip '" + clip.name + "' ";
     if (clip.frame_count < 2) return where + "has fewer than two frames";
     if (clip.joint_count < 1 || clip.joint_count > k_max_joints) return where + "has a wrong number of joints";
-    if (!(clip.fps > 0) || !std::isfinite(clip.fps)) return where + "has a frame rate that is not a positive number";
+    if (!(clip.fps >= k_least_fps && clip.fps <= k_most_fps))
+        return where + "has a frame rate that is not between 0.01 and 100000";
     if (clip.rotations.size() != frames * static_cast<std::size_t>(clip.block_count()) * 4 * k_lanes)
         return where + "has rotations that do not match its frames and joints";
     if (!clip.turning_blocks.empty() && clip.turning_blocks.size() != static_cast<std::size_t>(clip.block_count()))
@@ -185,7 +187,7 @@ std::string problem(const PackedClip& clip) {
 }
 
 FootKey foot_key_at(const PackedClip& clip, const FootPrints& track, float time) noexcept {
-    const float frame = std::clamp(time * clip.fps, 0.0f, static_cast<float>(clip.frame_count - 1));
+    const float frame = std::min(std::max(0.0f, time * clip.fps), static_cast<float>(clip.frame_count - 1));
     const int from = std::min(static_cast<int>(frame), clip.frame_count - 2);
     const float t = frame - static_cast<float>(from);
     const FootKey &a = track.keys[static_cast<std::size_t>(from)], &b = track.keys[static_cast<std::size_t>(from) + 1];

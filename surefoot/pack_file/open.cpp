@@ -32,6 +32,9 @@ bool is_utf8(std::string_view text) noexcept {
     return true;
 }
 
+/// No metre, second, radian or parameter of a character is larger, and the square of this is still a float.
+bool is_usable(float number) noexcept { return std::fabs(number) <= 1e9f; }
+
 /// Reads definitions and takes nothing on trust: the first thing that is not as it should be ends it.
 class PackReader : public FieldReader<PackReader> {
   public:
@@ -92,7 +95,7 @@ class PackReader : public FieldReader<PackReader> {
         } else if constexpr (std::is_arithmetic_v<T>) {
             raw(&value, sizeof value);
             if constexpr (std::is_floating_point_v<T>)
-                if (!std::isfinite(value)) fail("is no finite number"), value = 0;
+                if (!is_usable(value)) fail("is no number, or too large a one"), value = 0;
         } else {
             static_assert(std::is_enum_v<T> && sizeof(T) == 1 && k_values_of<T> > 0);
             std::uint8_t byte = 0;
@@ -126,7 +129,7 @@ class PackReader : public FieldReader<PackReader> {
         static_assert(std::is_integral_v<T> || (sizeof(T) % sizeof(float) == 0 && alignof(T) == alignof(float)));
         const auto* numbers = reinterpret_cast<const float*>(bytes_.data() + offset);
         for (std::size_t i = 0; i < count * (sizeof(T) / sizeof(float)); ++i)
-            if (!std::isfinite(numbers[i])) return fail("names a table with a number that is not finite");
+            if (!is_usable(numbers[i])) return fail("names a table with what is no number, or too large a one");
     }
     /// Tables may be named often, but do not overlap: what is to be checked is no more than what is there.
     bool is_new(std::uint64_t offset, std::uint64_t size) {

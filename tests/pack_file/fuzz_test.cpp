@@ -91,7 +91,7 @@ TEST_F(PackFuzz, survives_numbers_that_are_another) {
 
 TEST_F(PackFuzz, survives_headers_and_random_bytes) {
     Random random(3);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 2000; ++i) {
         std::vector<std::byte> noise(random.below(3) == 0 ? random.below(200) : 64 * (1 + random.below(64)));
         for (std::byte& byte : noise) byte = static_cast<std::byte>(random.below(256));
         PackHeader header;

@@ -186,7 +186,8 @@ TEST(Pack, refuses_definitions_that_make_no_sense) {
     const auto ends = [](const std::string& text, const std::string& end) {
         EXPECT_TRUE(text.size() > end.size() && text.substr(text.size() - end.size()) == end) << text;
     };
-    ends(why([](Pack& p) { p.hip_height = std::numeric_limits<float>::infinity(); }), " is no finite number");
+    ends(why([](Pack& p) { p.hip_height = std::numeric_limits<float>::infinity(); }),
+         " is no number, or too large a one");
     ends(why([](Pack& p) { p.program.name = "\xff"; }), " ends a text that is no UTF-8");
     ends(why([](Pack& p) { p.program.parameters[0].kind = static_cast<ParameterKind>(9); }),
          " names a choice that is not known");
@@ -194,7 +195,7 @@ TEST(Pack, refuses_definitions_that_make_no_sense) {
              p.program.body.clips[1].root.edit(
                  [](auto& root) { root[1].yaw = std::numeric_limits<float>::quiet_NaN(); });
          }),
-         " names a table with a number that is not finite");
+         " names a table with what is no number, or too large a one");
 }
 
 // A change of format that k_pack_version does not tell is caught here. After one that it does, this writes the new
