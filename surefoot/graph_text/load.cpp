@@ -251,6 +251,12 @@ Pack load_graph(const std::filesystem::path& file, std::vector<std::string>* war
         for (auto& [name, node] : root.at("groups").entries()) {
             SyncGroup group{name, {}};
             if (node.has("events")) group.events = read_marks(program, node.at("events"));
+            if (node.has("leader")) {
+                const JsonNode leader = node.at("leader");
+                if (JsonNode nodes = root.at("nodes"); !nodes.has(leader.text().c_str()))
+                    leader.fail("there is no node '" + leader.text() + "'", "name one of \"nodes\"");
+                group.leader = "/nodes/" + leader.text();
+            }
             node.finish();
             program.groups.push_back(std::move(group));
         }

@@ -51,7 +51,7 @@ SUREFOOT_FIELDS(Condition, kind, subject, comparison, value, value_to)
 SUREFOOT_FIELDS(Transition, name, from, to, seconds, curve, kind, interrupted_by, entry, entry_group, priority,
                 conditions)
 SUREFOOT_FIELDS(MachineNode, states, transitions, initial)
-SUREFOOT_FIELDS(SyncGroup, name, events)
+SUREFOOT_FIELDS(SyncGroup, name, events, leader)
 SUREFOOT_FIELDS(Pack, program, roles, legs, standing, hip_height)
 
 // Of these a part is made again when a pack is opened (rebuild.cpp); each member is still named, so that a new one has

@@ -95,15 +95,8 @@ void GraphStep::run_groups(float dt, float left) noexcept {
     const auto memory_of = [&](std::size_t g) -> GroupMemory& {
         return memory_at<GroupMemory>(state_, group_memory(program_, g));
     };
-    const auto group_of = [&](std::size_t i) noexcept -> int {
-        const NodeData& data = program_.nodes[i].data;
-        if (const auto* clip = std::get_if<ClipNode>(&data)) return clip->group;
-        if (const auto* space = std::get_if<SpaceNode>(&data)) return space->group;
-        if (const auto* locomotion = std::get_if<LocomotionNode>(&data)) return locomotion->group;
-        return -1;
-    };
     for (std::size_t i = 0; i < program_.nodes.size(); ++i) {
-        const int g = parts_.nodes[i].plays ? group_of(i) : -1;
+        const int g = parts_.nodes[i].plays ? group_of(program_.nodes[i].data) : -1;
         if (g < 0) continue;
         auto& p = pacing[static_cast<std::size_t>(g)];
         (program_.nodes[i].follows ? p.follows : p.leads) = true;
@@ -118,7 +111,7 @@ void GraphStep::run_groups(float dt, float left) noexcept {
     }
     for (std::size_t i = 0; i < program_.nodes.size(); ++i) {
         const NodeStep& step = parts_.nodes[i];
-        const int g = step.plays ? group_of(i) : -1;
+        const int g = step.plays ? group_of(program_.nodes[i].data) : -1;
         if (g < 0) continue;
         const GroupMemory& group = memory_of(static_cast<std::size_t>(g));
         float phase = group.phase;

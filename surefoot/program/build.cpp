@@ -48,9 +48,23 @@ int registers_of(const Program& program, int index) {
     return most;
 }
 
-void mark_followers(Program& program, int root) {
-    for (int i = program.nodes[static_cast<std::size_t>(root)].first; i <= root; ++i)
-        program.nodes[static_cast<std::size_t>(i)].follows = true;
+void mark(Program& program, int root, bool follows, int group = -1) {
+    for (int i = program.nodes[static_cast<std::size_t>(root)].first; i <= root; ++i) {
+        Node& node = program.nodes[static_cast<std::size_t>(i)];
+        if (group < 0 || group_of(node.data) == group) node.follows = follows;
+    }
+}
+
+/// Where a leader is named it alone leads, layered or not.
+void mark_leaders(Program& program) {
+    for (std::size_t g = 0; g < program.groups.size(); ++g) {
+        const std::string& leader = program.groups[g].leader;
+        const int group = static_cast<int>(g), root = static_cast<int>(program.nodes.size()) - 1;
+        if (leader.empty()) continue;
+        mark(program, root, true, group);
+        for (int i = 0; i <= root; ++i)
+            if (program.nodes[static_cast<std::size_t>(i)].path == leader) mark(program, i, false, group);
+    }
 }
 
 std::vector<std::int16_t> drifting_joints(const Program& program) {
@@ -136,6 +150,23 @@ class Check {
         return {};
     }
 
+    /// A leader has members of its group below it.
+    std::string leaders() const {
+        for (std::size_t g = 0; g < program_.groups.size(); ++g) {
+            bool leads = program_.groups[g].leader.empty();
+            for (const Node& root : program_.nodes) {
+                if (leads || root.path != program_.groups[g].leader) continue;
+                const auto* last = &root;
+                for (const auto* node = &program_.nodes[static_cast<std::size_t>(root.first)]; node <= last; ++node)
+                    leads |= group_of(node->data) == static_cast<int>(g);
+            }
+            if (!leads)
+                return program_.groups[g].leader + ": it shall lead sync group '" + program_.groups[g].name +
+                       "', and plays nothing of it";
+        }
+        return {};
+    }
+
     std::string nodes() {
         std::vector<int> parents(program_.nodes.size(), -1);
         for (std::size_t i = 0; i < program_.nodes.size(); ++i) {
@@ -153,7 +184,7 @@ class Check {
         if (program_.nodes.back().first != 0) return program_.nodes.back().path + ": nodes are left that nothing plays";
         if (depth(static_cast<int>(program_.nodes.size()) - 1) > k_max_depth)
             return program_.nodes.back().path + ": nodes lie more than 32 deep";
-        return {};
+        return leaders();
     }
 
     int depth(int index) const {
@@ -292,11 +323,12 @@ void lay_out(Program& program) {
         node.memory = static_cast<std::uint32_t>(size);
         size += aligned_to_8(memory_size(node.data));
         if (std::holds_alternative<AdditiveNode>(node.data) || std::holds_alternative<LayerNode>(node.data))
-            mark_followers(program, node.children.back());
+            mark(program, node.children.back(), true);
         if (const auto* machine = std::get_if<MachineNode>(&node.data))
             for (const Transition& t : machine->transitions)
                 program.inertializes |= t.kind == TransitionKind::inertialize;
     }
+    mark_leaders(program);
     program.drifting = drifting_joints(program);
     if (program.inertializes) {
         program.inertia_memory = static_cast<std::uint32_t>(size);

@@ -67,6 +67,14 @@ const T& memory_at(std::span<const std::byte> state, std::size_t at) noexcept {
     return *reinterpret_cast<const T*>(state.data() + at);
 }
 
+/// The sync group that a node is a member of, or -1.
+inline int group_of(const NodeData& data) noexcept {
+    if (const auto* clip = std::get_if<ClipNode>(&data)) return clip->group;
+    if (const auto* space = std::get_if<SpaceNode>(&data)) return space->group;
+    if (const auto* locomotion = std::get_if<LocomotionNode>(&data)) return locomotion->group;
+    return -1;
+}
+
 constexpr std::size_t aligned_to_8(std::size_t size) noexcept { return (size + 7) / 8 * 8; }
 
 inline std::size_t parameter_memory(std::size_t index) noexcept { return index * sizeof(ParameterMemory); }

@@ -207,7 +207,8 @@ struct Node {
     std::vector<std::int16_t> children;
     // Filled by add_node and lay_out.
     std::int16_t first = 0;  ///< its subtree is [first, this one]
-    /// It adds to another pose and is no leg's: it follows its group's phase, and has no say in how fast that runs.
+    /// It follows its group's phase and has no say in how fast that runs: for it adds to another pose and is no leg's,
+    /// or another node leads.
     bool follows = false;
     std::uint32_t memory = 0;  ///< [bytes] where in the state its memory is
 };
@@ -216,7 +217,10 @@ struct Node {
 
 struct SyncGroup {
     std::string name;
-    std::vector<EventMark> events;  ///< by phase, ascending
+    std::vector<EventMark> events{};  ///< by phase, ascending
+    /// Path of the node (and all below it) that says how fast the phase runs, as long as it plays; every other member
+    /// follows. Empty: all members have a say by their weight, but for what is layered or added, which follows.
+    std::string leader{};
 };
 
 struct Program {

@@ -147,6 +147,10 @@ TEST_F(GraphFile, says_what_is_wrong_and_where) {
     starts(error_of(with("\"cubic_out\"", "\"bouncy\"")),
            "hero.json: /nodes/arms/transitions/end/curve: 'bouncy' is not known here");
     starts(error_of(with("\"root\": \"arms\"", "\"root\": \"arm\"")), "hero.json: /root: there is no node 'arm'");
+    starts(error_of(with("{\"legs\": {", "{\"legs\": {\"leader\": \"feet\", ")),
+           "hero.json: /groups/legs/leader: there is no node 'feet'");
+    starts(error_of(with("{\"legs\": {", "{\"legs\": {\"leader\": \"greet\", ")),
+           "hero.json: /nodes/greet: it shall lead sync group 'legs', and plays nothing of it");
     starts(error_of(with("\"base\": \"move\"", "\"base\": \"arms\"")),
            "hero.json: /nodes/arms/states/free: nodes lie more than 32 deep");
     starts(error_of(with("\"hello\": 0.2", "\"hello\": 20")),

@@ -76,6 +76,38 @@ TEST(Program, clips_of_one_group_keep_step_and_their_feet_stand) {
     EXPECT_LT(player.frame.groups[0].rate, 1 / 0.7f);
 }
 
+TEST(Program, a_leader_alone_says_how_fast_its_group_goes_while_it_plays) {
+    Program program = small_program();
+    program.masks.push_back({0, 0, 1});
+    program.groups[0].leader = "/walk";
+    const int mix = add_parameter(program, "mix", ParameterKind::number, 0, 1);
+    const int walk = add_node(program, "/walk", clip_in_group(1), {});
+    const int run = add_node(program, "/run", clip_in_group(2), {});
+    add_node(program, "/lerp", LerpNode{{0, 1, mix}}, {walk, run});
+    program = finished(std::move(program));
+    Player player(program);
+    player.ask(mix, 0.6f);
+    for (int i = 0; i < 60; ++i) player.go();
+    EXPECT_NEAR(player.frame.groups[0].rate, 1 / 1.1f, 1e-4);
+    player.ask(mix, 1);  // the walk plays no more, and somebody has to
+    for (int i = 0; i < 60; ++i) player.go();
+    EXPECT_NEAR(player.frame.groups[0].rate, 1 / 0.7f, 1e-4);
+
+    program.groups[0].leader = "/stroll";
+    EXPECT_EQ(problem(program), "/stroll: it shall lead sync group 'legs', and plays nothing of it");
+    // What is laid over something leads where it is named.
+    Program layered = small_program();
+    layered.masks.push_back({0, 0, 1});
+    layered.groups[0].leader = "/run";
+    const int base = add_node(layered, "/walk", clip_in_group(1), {});
+    const int over = add_node(layered, "/run", clip_in_group(2), {});
+    add_node(layered, "/layer", LayerNode{1.0f, 0}, {base, over});
+    layered = finished(std::move(layered));
+    Player other(layered);
+    for (int i = 0; i < 60; ++i) other.go();
+    EXPECT_NEAR(other.frame.groups[0].rate, 1 / 0.7f, 1e-4);
+}
+
 TEST(Program, what_has_no_weight_is_culled) {
     Program program = small_program();
     const int mix = add_parameter(program, "mix", ParameterKind::number, 0, 1);
