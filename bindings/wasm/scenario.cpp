@@ -128,8 +128,8 @@ std::uint64_t walk_scenario(const Character& character) {
 }
 
 /// Between the blend space and a clip that plays in step, by an inertialized transition there and a feathered one back;
-/// mirrored at times; ten seconds, states and poses.
-std::uint64_t program_scenario(const Character& character) {
+/// mirrored at times.
+Program scenario_program(const Character& character) {
     Program program;
     program.body = character.graph;
     program.mirror = mirror_map(*character.skeleton, character.roles);
@@ -152,11 +152,15 @@ std::uint64_t program_scenario(const Character& character) {
     add_node(program, "/mirror", MirrorNode{{0, 1, 2}}, {machine});
     lay_out(program);
     if (const std::string text = problem(program); !text.empty()) throw Error(text, "the scenario", "");
+    return program;
+}
 
+/// Ten seconds, states and poses.
+std::uint64_t program_scenario(const Program& program) {
     GraphScratch scratch(program);
     GraphFrame frame(program);
     std::vector<std::byte> state(program.state_size);
-    std::vector<Transform> locals(character.skeleton->rest.size());
+    std::vector<Transform> locals(program.body.skeleton->rest.size());
     start(program, state);
     RootFrame root;
     std::uint64_t hash = hash_bytes({});
@@ -175,6 +179,17 @@ std::uint64_t program_scenario(const Character& character) {
     return hash;
 }
 
+/// As bytes, and played from them.
+std::uint64_t pack_scenario(const Character& character, Program program) {
+    Pack pack = to_pack(character);
+    pack.program = std::move(program);
+    const std::vector<std::byte> bytes = pack_bytes(pack);
+    std::string why;
+    const std::optional<Pack> opened = Pack::open(bytes, &why);
+    if (!opened) throw Error(why, "the scenario's pack", "");
+    return hash_span<std::byte>(bytes) ^ program_scenario(opened->program);
+}
+
 }  // namespace
 
 std::string run_scenarios() {
@@ -184,7 +199,9 @@ std::string run_scenarios() {
     text += "motion " + hex(motion_scenario()) + "\n";
     const Character character = scenario_character();
     text += "walk " + hex(walk_scenario(character)) + "\n";
-    text += "program " + hex(program_scenario(character)) + "\n";
+    const Program program = scenario_program(character);
+    text += "program " + hex(program_scenario(program)) + "\n";
+    text += "pack " + hex(pack_scenario(character, program)) + "\n";
     text += "space " + hex(space_scenario()) + "\n";
     return text;
 }

@@ -174,7 +174,7 @@ std::string read_header(std::span<const std::byte> bytes, PackHeader& header) {
         return "byte 8: it is a pack of version " + std::to_string(header.version) + ", and this library reads " +
                std::to_string(k_pack_version) + k_bake_again;
     if (reinterpret_cast<std::uintptr_t>(bytes.data()) % k_least_pack_alignment != 0)
-        return "it does not lie at a multiple of 16 bytes; align it to 64";
+        return "it does not lie at a multiple of 4 bytes; align it to 64";
     if (header.size != bytes.size())
         return "byte 16: it should be " + std::to_string(header.size) + " bytes long and has " +
                std::to_string(bytes.size()) + "; read the whole file and nothing else";

@@ -29,7 +29,7 @@ namespace surefoot {
 /// What this library writes, and all that it reads: packs are made anew from their sources, not carried along.
 inline constexpr std::uint32_t k_pack_version = 1;
 /// Of the bytes given to `open`: the least, and what a game should give so that keyframes lie in whole cache lines.
-inline constexpr std::size_t k_least_pack_alignment = 16, k_pack_alignment = 64;
+inline constexpr std::size_t k_least_pack_alignment = 4, k_pack_alignment = 64;
 
 inline constexpr std::size_t k_max_pack_gaits = 64;  ///< live ones of a graph
 
@@ -56,9 +56,9 @@ struct Pack {
 /// What is wrong with a pack, as a sentence; empty: nothing, and then neither update nor pose of it can fail.
 std::string problem(const Pack& pack);
 
-/// A table of keyframes in a pack's bytes.
+/// What takes how much of a pack.
 struct PackPart {
-    std::string name;  ///< "skeleton", "clips", "spaces", "gaits", "nodes", …
+    const char* name = "";  ///< "skeleton", "clips" (keyframes included), "spaces", "gaits", "nodes"
     std::size_t bytes = 0;
 };
 

@@ -122,7 +122,7 @@ TEST(Pack, steady_frames_of_an_opened_pack_allocate_nothing) {
 TEST(Pack, lies_anywhere_that_is_aligned) {
     std::vector<std::byte> room(whole_bytes().size() + 96);
     const auto start = reinterpret_cast<std::uintptr_t>(room.data());
-    std::byte* const at = room.data() + (64 - start % 64) % 64 + 16;
+    std::byte* const at = room.data() + (64 - start % 64) % 64 + 4;
     std::memcpy(at, whole_bytes().data(), whole_bytes().size());
     const Pack pack = opened({at, whole_bytes().size()});
     EXPECT_TRUE(Played(pack, 60) == Played(whole(), 60));
@@ -155,7 +155,7 @@ TEST(Pack, says_what_is_wrong_at_which_byte_and_what_to_do) {
     std::vector<std::byte> shifted(whole_bytes().size() + 1);
     std::copy(whole_bytes().begin(), whole_bytes().end(), shifted.begin() + 1);
     EXPECT_FALSE(Pack::open(std::span(shifted).subspan(1), &why));
-    EXPECT_EQ(why, "it does not lie at a multiple of 16 bytes; align it to 64");
+    EXPECT_EQ(why, "it does not lie at a multiple of 4 bytes; align it to 64");
 }
 
 /// What a writer would have to be wrong to write; `open` must not rely on its being right.
