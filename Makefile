@@ -30,8 +30,12 @@ bench: ## build and run the benchmarks
 	cmake --build --preset release
 	@scripts/bench.sh build/release
 
-studio: ## (later) the web studio
-	@echo "make studio: the studio arrives with a later release; nothing was built" >&2; exit 1
+studio: ## the web studio: build/studio, which `surefoot studio` serves; needs Node and emscripten
+	@scripts/setup.sh build studio
+	cmake --preset wasm
+	cmake --build --preset wasm
+	cd apps/studio && npm run --silent build
+	@echo "the studio is in build/studio; show it with: build/release/surefoot studio [PROJECT]"
 
 clean: ## remove what was built
 	rm -rf build out

@@ -39,6 +39,9 @@ if(SUREFOOT_BUILD_TOOLS)
   surefoot_install_rooms(author ${author_rooms})
   install(TARGETS surefoot_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT author)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/gaits" DESTINATION "${CMAKE_INSTALL_DATADIR}/surefoot" COMPONENT author)
+  # `make studio` builds it; without it the program says so.
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/build/studio" DESTINATION "${CMAKE_INSTALL_DATADIR}/surefoot" COMPONENT author
+          OPTIONAL)
   install(FILES "${PROJECT_SOURCE_DIR}/docs/graph.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/surefoot"
           COMPONENT author)
 endif()

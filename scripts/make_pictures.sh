@@ -61,4 +61,6 @@ RightLowerLeg:60,0,0;LeftUpperArm:0,0,75;RightUpperArm:0,0,70;LeftLowerArm:0,-12
 "$program" author --synthetic -o "$work/biped" >/dev/null
 "$program" walk "$work/biped" --all --course hills --path straight --speed 1.4 -o "$work/walks.html" >/dev/null || [ $? -eq 1 ]
 node scripts/shoot_page.mjs "$work/walks.html" .papers docs/images/colvin_figures.png
+# The studio (make studio; npm ci in tests/studio).
+[ ! -f build/studio/index.html ] || node scripts/studio_pictures.mjs build/studio docs/images
 ls -l docs/images

@@ -2,25 +2,29 @@
 # Installs the Debian packages that a part of the project needs and that are missing. Asks dpkg first, so that it is
 # silent, instant and offline when everything is there.
 #
-#   scripts/setup.sh GROUP...     groups: build, test, bench, ci
+#   scripts/setup.sh GROUP...     groups: build, test, bench, studio, ci
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 build_packages=(g++ cmake ninja-build nlohmann-json3-dev libcli11-dev libfmt-dev libtinygltf-dev libfast-float-dev
-                libassimp-dev zlib1g-dev libtbb-dev) # assimp's CMake package names zlib, its Debian package forgets it
+                libassimp-dev zlib1g-dev libtbb-dev libcpp-httplib-dev pkg-config) # assimp's CMake package names zlib, its Debian package forgets it
 test_packages=(libgtest-dev libqhull-dev)
 bench_packages=(libbenchmark-dev)
-ci_packages=(clang-format emscripten)
+studio_packages=(emscripten)
+ci_packages=(clang-format emscripten chromium)
 
 packages=()
 node_tools=no       # no, wanted (where a Node is there), needed
+npm_folders=()      # with a package-lock.json each
 for group in "$@"; do
   case "$group" in
     build) packages+=("${build_packages[@]}") ;;
-    test)  packages+=("${test_packages[@]}"); [ "$node_tools" = needed ] || node_tools=wanted ;;
+    test)  packages+=("${test_packages[@]}"); npm_folders+=(tests/judges)
+           [ "$node_tools" = needed ] || node_tools=wanted ;;
     bench) packages+=("${bench_packages[@]}") ;;
-    ci)    packages+=("${ci_packages[@]}"); node_tools=needed ;;
-    *)     echo "setup: no group '$group' (build, test, bench, ci)" >&2; exit 2 ;;
+    studio) packages+=("${studio_packages[@]}"); npm_folders+=(apps/studio); node_tools=needed ;;
+    ci)    packages+=("${ci_packages[@]}"); npm_folders+=(tests/judges tests/studio); node_tools=needed ;;
+    *)     echo "setup: no group '$group' (build, test, bench, studio, ci)" >&2; exit 2 ;;
   esac
 done
 
@@ -61,22 +65,21 @@ if [ ${#missing[@]} -gt 0 ]; then
   }
 fi
 
-# The judges (tests/judges) are npm packages. `make test` uses them where there is a Node; CI must.
-judges=tests/judges
-if [ "$node_tools" != no ] && [ -f $judges/package-lock.json ]; then
-  if command -v node >/dev/null && command -v npm >/dev/null; then
-    if ! cmp -s $judges/package-lock.json $judges/node_modules/.installed; then
-      echo "setup: installing the npm packages of $judges"
-      if (cd $judges && npm ci --no-audit --no-fund --loglevel=error); then
-        cp $judges/package-lock.json $judges/node_modules/.installed
-      elif [ "$node_tools" = needed ]; then
-        echo "setup: npm ci failed in $judges" >&2
-        exit 1
-      else
-        echo "setup: npm ci failed in $judges; its tests will be skipped" >&2
-      fi
-    fi
-  else
+# npm packages: the judges (tests/judges), which `make test` uses where there is a Node and CI must; the studio's
+# libraries and compiler; the browser's driver.
+for folder in "${npm_folders[@]}"; do
+  if ! command -v node >/dev/null || ! command -v npm >/dev/null; then
     echo "setup: no Node here; the tests against gltf-validator and three.js will be skipped"
+    break
   fi
-fi
+  cmp -s "$folder/package-lock.json" "$folder/node_modules/.installed" && continue
+  echo "setup: installing the npm packages of $folder"
+  if (cd "$folder" && npm ci --no-audit --no-fund --loglevel=error); then
+    cp "$folder/package-lock.json" "$folder/node_modules/.installed"
+  elif [ "$node_tools" = needed ]; then
+    echo "setup: npm ci failed in $folder" >&2
+    exit 1
+  else
+    echo "setup: npm ci failed in $folder; its tests will be skipped" >&2
+  fi
+done

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 constexpr Extent k_shown{-24, 24, -16, 72};
 constexpr Extent k_shown_rubble{-9, 9, -6, 58};  // thirty centimetres a tile: many triangles
 
-/// What lies where in a frame, in floats. The names are those of surefoot.d.ts; a test holds the two together.
+/// What lies where in a frame, in floats. The names are those of surefoot.d.mts; a test holds the two together.
 enum Place : std::size_t {
     k_time,
     k_root,                // x, y, z [m], yaw [rad]

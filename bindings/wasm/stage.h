@@ -28,7 +28,7 @@ class Stage {
     explicit Stage(Character character);
 
     /// Name, joints, limits of the axes, courses, figures, and where what lies in `frame`: one JSON object
-    /// (surefoot.d.ts: CharacterFacts).
+    /// (surefoot.d.mts: CharacterFacts).
     std::string describe() const;
 
     /// Another course, from its start. Throws Error for a name that is not one.

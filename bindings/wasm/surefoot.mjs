@@ -10,7 +10,7 @@
 //   surefoot.advance(60);                          // … walks for a second
 //   surefoot.array('frame');                       // where its joints are, as a view upon the module's memory
 //
-// surefoot.d.ts has the types.
+// surefoot.d.mts has the types.
 
 const k_no_such_call = 52; // WASI's ENOSYS: the module has no files and no system to call
 

@@ -52,8 +52,8 @@ test('memory grows and is given back', () => {
   surefoot.scenarios();
 });
 
-test('the module exports what surefoot.d.ts declares, with as many parameters', () => {
-  const types = readFileSync(new URL('../../bindings/wasm/surefoot.d.ts', import.meta.url), 'utf8');
+test('the module exports what surefoot.d.mts declares, with as many parameters', () => {
+  const types = readFileSync(new URL('../../bindings/wasm/surefoot.d.mts', import.meta.url), 'utf8');
   const declared = new Map();
   for (const [, name, parameters] of types.matchAll(/^  (sf_\w+)\((.*)\): \w+;$/gm))
     declared.set(name, parameters === '' ? 0 : parameters.split(',').length);
@@ -94,8 +94,8 @@ test('a steered walk has the same bits as natively, frame by frame', () => {
   assert.equal(at, native.length);
 });
 
-test('what a character is has all that surefoot.d.ts declares, and its mesh is sound', () => {
-  const types = readFileSync(new URL('../../bindings/wasm/surefoot.d.ts', import.meta.url), 'utf8');
+test('what a character is has all that surefoot.d.mts declares, and its mesh is sound', () => {
+  const types = readFileSync(new URL('../../bindings/wasm/surefoot.d.mts', import.meta.url), 'utf8');
   const facts = surefoot.openDefault();
   const keys = (name) => {
     const body = types.match(new RegExp(`export interface ${name} \\{\n([^]*?)\n\\}`))[1];

@@ -1,0 +1,177 @@
+// The one character on the one stage, and the clock that makes it move.
+import { batch, effect, signal } from '@preact/signals';
+import { EngineClient } from './engine/engine';
+import type { CharacterFacts, CharacterMesh, FigureValue, FootMode, Steering, TerrainMesh } from './engine/messages';
+import { course, gradeDeg, mode, patrolSpeed, slowness } from './settings';
+import { History } from './history';
+
+/** A failure in words, and what the user can do about it. */
+export interface Problem {
+  title: string;
+  text: string;
+  /** The studio cannot go on: it takes the whole window. */
+  fatal?: boolean;
+  actions: { label: string; run: () => void }[];
+}
+
+export const facts = signal<CharacterFacts | null>(null);
+export const mesh = signal<CharacterMesh | null>(null);
+export const terrain = signal<TerrainMesh | null>(null);
+export const figures = signal<FigureValue[] | null>(null);
+export const playing = signal(true);
+/** False: it goes up and down the course by itself. */
+export const steered = signal(false);
+export const problem = signal<Problem | null>(null);
+export const notice = signal('');
+/** Changes with every frame that arrives. */
+export const frameCount = signal(0);
+export const history = new History();
+
+export let frame = new Float32Array(0);
+
+const k_frame_s = 1 / 60;
+const k_most_frames = 6; // at a time: a page that was asleep does not catch up
+const k_metrics_every_s = 0.5;
+
+const reload = { label: 'Reload the page', run: () => location.reload() };
+const dismiss = { label: 'Dismiss', run: () => (problem.value = null) };
+
+export function fail(title: string, error: unknown): void {
+  const text = error instanceof Error ? error.message : String(error);
+  problem.value = { title, text, actions: [dismiss] };
+}
+
+export function failForGood(title: string, text: string): void {
+  problem.value = { title, text, fatal: true, actions: [reload] };
+}
+
+export const engine = new EngineClient((message) => {
+  playing.value = false;
+  failForGood('The engine stopped', `${message}. Your choices are kept; reloading starts it again.`);
+});
+
+export function say(text: string): void {
+  notice.value = text;
+  setTimeout(() => notice.value === text && (notice.value = ''), 5000);
+}
+
+async function stage(opened: Promise<{ facts: CharacterFacts; mesh: CharacterMesh }>): Promise<void> {
+  const character = await opened;
+  if (!character.facts.courses.includes(course.value)) course.value = 'hills';
+  await engine.call('setMode', mode.value);
+  const ground = await engine.call('setCourse', course.value, gradeDeg.value);
+  batch(() => {
+    facts.value = character.facts;
+    mesh.value = character.mesh;
+    terrain.value = ground;
+    figures.value = null;
+  });
+  history.clear();
+  await step(0);
+}
+
+export const openDefault = () => stage(engine.call('openDefault'));
+export const openProject = (files: [string, Uint8Array][]) => stage(engine.call('openProject', files));
+
+export async function setCourse(name: string, grade: number): Promise<void> {
+  try {
+    const ground = await engine.call('setCourse', name, grade);
+    batch(() => {
+      course.value = name;
+      gradeDeg.value = grade;
+      terrain.value = ground;
+      figures.value = null;
+    });
+    history.clear();
+    await step(0);
+  } catch (error) {
+    fail('This course cannot be walked', error);
+  }
+}
+
+export function setMode(wanted: FootMode): void {
+  mode.value = wanted;
+  figures.value = null;
+  void engine.call('setMode', wanted);
+}
+
+export async function restart(): Promise<void> {
+  await engine.call('restart');
+  history.clear();
+  figures.value = null;
+  await step(0);
+}
+
+let asked: Steering = { patrol: patrolSpeed.value };
+
+/** What somebody asks for now; null: nobody does. */
+export function steer(request: { speed: number; lateral: number; turn: number } | null): void {
+  if (request) {
+    asked = request;
+    steered.value = true;
+  } else asked = steered.value ? { speed: 0, lateral: 0, turn: 0 } : { patrol: patrolSpeed.value };
+}
+
+function take(arrived: Float32Array): void {
+  frame = arrived as Float32Array<ArrayBuffer>;
+  if (facts.value) history.add(arrived, facts.value.layout);
+  frameCount.value++;
+}
+
+/** So many steps on, whether it plays or not. */
+export async function step(frames: number, parts = 1): Promise<void> {
+  while (engine.busy) await new Promise((resolve) => setTimeout(resolve, 1));
+  take(await engine.advance(frames, parts, asked));
+}
+
+let owed = 0;
+let sinceMetrics = 0;
+let measuring = false;
+
+/** Called once a picture, `seconds` after the last. */
+export function tick(seconds: number): void {
+  if (!facts.value || !playing.value) return;
+  // A display of sixty pictures a second, give or take, shows one frame a picture: no frame is doubled or left out.
+  owed += Math.abs(seconds - k_frame_s) < 0.25 * k_frame_s ? 1 : Math.min(seconds / k_frame_s, k_most_frames);
+  const frames = Math.min(Math.floor(owed + 1e-6), k_most_frames);
+  if (frames < 1 || engine.busy) {
+    owed = Math.min(owed, k_most_frames);
+    return;
+  }
+  owed -= frames;
+  void engine.advance(frames, slowness.value, asked).then(take);
+  sinceMetrics += (frames * k_frame_s) / slowness.value;
+  if (sinceMetrics < k_metrics_every_s || measuring) return;
+  sinceMetrics = 0;
+  void measure();
+}
+
+async function measure(): Promise<void> {
+  measuring = true;
+  try {
+    const now = await engine.call('metrics');
+    if (now) figures.value = now;
+  } catch (error) {
+    fail('The walk could not be measured', error);
+  }
+  measuring = false;
+}
+
+export async function boot(open: () => Promise<void>): Promise<void> {
+  try {
+    await engine.call('start');
+  } catch (error) {
+    failForGood(
+      'The engine cannot run here',
+      `It needs a browser with WebAssembly SIMD and exceptions: Chrome or Edge from 95, Firefox from 100, Safari from ` +
+        `16.4. (${error instanceof Error ? error.message : String(error)})`,
+    );
+    return;
+  }
+  await open();
+}
+
+effect(() => {
+  const speed = patrolSpeed.value;
+  if (!steered.value) asked = { patrol: speed };
+});

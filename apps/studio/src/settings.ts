@@ -1,0 +1,50 @@
+// What the user chose, kept across reloads.
+import { effect, signal, type Signal } from '@preact/signals';
+import type { FootMode } from './engine/messages';
+
+const k_prefix = 'surefoot.studio.';
+
+function kept<T>(name: string, initial: T, valid: (value: unknown) => boolean): Signal<T> {
+  let value = initial;
+  try {
+    const text = localStorage.getItem(k_prefix + name);
+    const stored: unknown = text === null ? initial : JSON.parse(text);
+    if (valid(stored)) value = stored as T;
+  } catch {
+    // Nothing is kept where storage is closed to us: the default stands.
+  }
+  const made = signal(value);
+  effect(() => {
+    try {
+      localStorage.setItem(k_prefix + name, JSON.stringify(made.value));
+    } catch {
+      // As above.
+    }
+  });
+  return made;
+}
+
+const isFlag = (value: unknown) => typeof value === 'boolean';
+const isOneOf = (...values: unknown[]) => (value: unknown) => values.includes(value);
+const isNumberIn = (low: number, high: number) => (value: unknown) =>
+  typeof value === 'number' && value >= low && value <= high;
+
+export type Theme = 'system' | 'light' | 'dark';
+export type CameraView = 'follow' | 'side' | 'front' | 'feet';
+export const k_rates = [1, 2, 4, 10] as const;
+
+export const theme = kept<Theme>('theme', 'system', isOneOf('system', 'light', 'dark'));
+export const course = kept<string>('course', 'hills', (value) => typeof value === 'string');
+export const gradeDeg = kept<number>('grade', 15, isNumberIn(0, 45));
+export const mode = kept<FootMode>('mode', 'surefoot', isOneOf('none', 'colvin2013', 'surefoot'));
+export const patrolSpeed = kept<number>('patrolSpeed', 1.4, isNumberIn(0, 10));
+/** A second lasts so many times as long: slow motion. */
+export const slowness = kept<number>('slowness', 1, isOneOf(...k_rates));
+export const cameraView = kept<CameraView>('camera', 'follow', isOneOf('follow', 'side', 'front', 'feet'));
+
+export const overlays = {
+  axes: kept('overlay.axes', false, isFlag),
+  hips: kept('overlay.hips', false, isFlag),
+  contacts: kept('overlay.contacts', true, isFlag),
+  footholds: kept('overlay.footholds', true, isFlag),
+};

@@ -1,0 +1,21 @@
+import { problem } from '../session';
+
+export function ProblemCard() {
+  const now = problem.value;
+  if (!now) return null;
+  return (
+    <div class={now.fatal ? 'problem fatal' : 'problem'} role="alert">
+      <div>
+        <h2>{now.title}</h2>
+        <p>{now.text}</p>
+        <p class="actions">
+          {now.actions.map((action) => (
+            <button key={action.label} type="button" onClick={action.run}>
+              {action.label}
+            </button>
+          ))}
+        </p>
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,151 @@
+// The three-dimensional picture: one scene, one camera that goes along with the character.
+import {
+  Color, DirectionalLight, Fog, HemisphereLight, PCFShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import type { CharacterFacts, CharacterMesh, TerrainMesh } from '../engine/messages';
+import type { CameraView } from '../settings';
+import { CharacterView } from './character';
+import { GroundView } from './ground';
+import { Overlays } from './overlays';
+import type { Palette } from './theme';
+
+// Where the camera stands about the point it looks at, in the character's frame [m], and how high that is.
+const k_views: Record<CameraView, { offset: [number, number, number]; height: number }> = {
+  follow: { offset: [2.0, 0.85, -2.6], height: 0.86 },
+  side: { offset: [3.7, 0.3, 0.2], height: 0.85 },
+  front: { offset: [0.9, 0.5, 3.9], height: 0.9 },
+  feet: { offset: [1.5, 0.5, -0.7], height: 0.25 },
+};
+const k_follow_rate = 7; // [1/s] of the camera after the character
+const k_slow_picture_s = 1 / 22;
+const k_judged_pictures = 24;
+const k_least_scale = 0.6;
+
+export class Picture {
+  readonly #renderer: WebGLRenderer;
+  readonly #scene = new Scene();
+  readonly #camera = new PerspectiveCamera(38, 1, 0.05, 160);
+  readonly #controls: OrbitControls;
+  readonly #sun = new DirectionalLight();
+  readonly #fill = new HemisphereLight();
+  readonly #ground = new GroundView();
+  readonly #overlays = new Overlays();
+  #character: CharacterView | undefined;
+  #facts: CharacterFacts | undefined;
+  #palette: Palette | undefined;
+  #view: CameraView = 'follow';
+  #settled = false; // false: the camera jumps to its place
+  #slow = 0;
+  #judged = 0;
+  #scale = 1;
+
+  /** Throws where the browser has no WebGL 2. */
+  constructor(canvas: HTMLCanvasElement) {
+    this.#renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    this.#renderer.shadowMap.enabled = true;
+    this.#renderer.shadowMap.type = PCFShadowMap;
+    this.#controls = new OrbitControls(this.#camera, canvas);
+    this.#controls.enablePan = false;
+    this.#controls.minDistance = 0.8;
+    this.#controls.maxDistance = 18;
+    this.#controls.maxPolarAngle = 0.53 * Math.PI;
+    this.#sun.castShadow = true;
+    this.#sun.shadow.mapSize.set(1024, 1024);
+    this.#sun.shadow.bias = -0.0004;
+    this.#sun.shadow.normalBias = 0.012;
+    Object.assign(this.#sun.shadow.camera, { left: -1.7, right: 1.7, top: 1.7, bottom: -1.7, near: 1, far: 20 });
+    this.#scene.fog = new Fog(0, 16, 52);
+    this.#scene.background = new Color();
+    this.#scene.add(this.#ground.mesh, this.#overlays.group, this.#sun, this.#sun.target, this.#fill);
+  }
+
+  get size(): [number, number] {
+    return [this.#renderer.domElement.width, this.#renderer.domElement.height];
+  }
+
+  resize(width: number, height: number, pixelRatio: number): void {
+    this.#renderer.setPixelRatio(Math.min(pixelRatio, 2) * this.#scale);
+    this.#renderer.setSize(width, height, false);
+    this.#camera.aspect = width / Math.max(height, 1);
+    this.#camera.updateProjectionMatrix();
+  }
+
+  paint(palette: Palette): void {
+    this.#palette = palette;
+    (this.#scene.background as Color).set(palette.sky);
+    this.#scene.fog!.color.set(palette.sky);
+    this.#sun.color.set(palette.sun);
+    this.#sun.intensity = palette.sunStrength;
+    this.#fill.color.set(palette.fillSky);
+    this.#fill.groundColor.set(palette.fillGround);
+    this.#fill.intensity = palette.fillStrength;
+    this.#ground.paint(palette);
+    this.#character?.paint(palette);
+  }
+
+  showCharacter(facts: CharacterFacts, mesh: CharacterMesh): void {
+    if (this.#character) {
+      this.#scene.remove(this.#character.mesh);
+      this.#character.dispose();
+    }
+    this.#facts = facts;
+    this.#character = new CharacterView(mesh);
+    if (this.#palette) this.#character.paint(this.#palette);
+    this.#scene.add(this.#character.mesh);
+    this.#settled = false;
+  }
+
+  showTerrain(terrain: TerrainMesh): void {
+    this.#ground.show(terrain);
+    this.#settled = false;
+  }
+
+  look(view: CameraView): void {
+    this.#view = view;
+    this.#settled = false;
+  }
+
+  /** Draws a frame, `seconds` after the last picture. True where the machine is so slow that it should be resized. */
+  draw(frame: Float32Array, seconds: number, shown: Parameters<Overlays['update']>[3]): boolean {
+    if (!this.#facts || !this.#character || frame.length === 0) return false;
+    const { layout, ankles } = this.#facts;
+    this.#character.pose(frame, layout.joints);
+    this.#overlays.update(frame, layout, ankles, shown);
+    this.#follow(new Vector3().fromArray(frame, layout.root), frame[layout.root + 3] ?? 0, seconds);
+    this.#renderer.render(this.#scene, this.#camera);
+    return this.#tooSlow(seconds);
+  }
+
+  #follow(root: Vector3, yaw: number, seconds: number): void {
+    const view = k_views[this.#view];
+    const goal = root.clone();
+    goal.y += view.height;
+    const target = this.#controls.target;
+    if (!this.#settled) {
+      target.copy(goal);
+      this.#camera.position.fromArray(view.offset).applyAxisAngle(new Vector3(0, 1, 0), yaw).add(goal);
+      this.#settled = true;
+    } else {
+      const step = goal.sub(target);
+      const share = step.length() > 3 ? 1 : 1 - Math.exp(-k_follow_rate * seconds);
+      step.multiplyScalar(share);
+      target.add(step);
+      this.#camera.position.add(step);
+    }
+    this.#controls.update();
+    this.#sun.target.position.copy(root).y += 0.8;
+    this.#sun.position.copy(this.#sun.target.position).add(new Vector3(4.2, 8, -3));
+  }
+
+  /** A machine that draws in software gets fewer pixels. */
+  #tooSlow(seconds: number): boolean {
+    if (this.#scale <= k_least_scale || seconds <= 0 || seconds > 1) return false;
+    this.#slow += seconds > k_slow_picture_s ? 1 : 0;
+    if (++this.#judged < k_judged_pictures) return false;
+    const slow = this.#slow > 0.7 * this.#judged;
+    this.#slow = this.#judged = 0;
+    if (slow) this.#scale = Math.max(this.#scale - 0.2, k_least_scale);
+    return slow;
+  }
+}

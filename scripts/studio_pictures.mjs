@@ -1,0 +1,47 @@
+#!/usr/bin/env node
+// Pictures of the studio for the documentation, light and dark, desktop and phone. For developers; needs chromium and
+// the packages of tests/studio.
+//
+//   node scripts/studio_pictures.mjs BUILD/studio OUT_FOLDER
+import { mkdirSync } from 'node:fs';
+import path from 'node:path';
+import { findBrowser, serveStatic, untilItMoves } from '../tests/studio/browser.mjs';
+
+const [app, out] = process.argv.slice(2);
+if (!out) throw new Error('usage: studio_pictures.mjs BUILD/studio OUT_FOLDER');
+const desktop = { width: 1280, height: 720 }, phone = { width: 844, height: 390 };
+const pictures = [
+  { name: 'studio_terrain', viewport: desktop, colorScheme: 'light', settings: { course: 'stairs_up', camera: 'follow' } },
+  { name: 'studio_terrain_dark', viewport: desktop, colorScheme: 'dark',
+    settings: { course: 'hills', camera: 'feet', 'overlay.axes': true, 'overlay.hips': true } },
+  { name: 'studio_phone', viewport: phone, colorScheme: 'light', settings: { course: 'rubble' } },
+];
+
+const found = await findBrowser();
+if (found.missing) throw new Error(found.missing);
+mkdirSync(out, { recursive: true });
+const site = await serveStatic(app);
+const browser = await found.launch();
+for (const { name, viewport, colorScheme, settings } of pictures) {
+  const context = await browser.newContext({ viewport, colorScheme });
+  const page = await context.newPage();
+  await page.addInitScript((kept) => {
+    for (const [key, value] of Object.entries(kept)) localStorage.setItem(`surefoot.studio.${key}`, JSON.stringify(value));
+  }, settings);
+  await page.goto(site.url);
+  await untilItMoves(page);
+  // Paused, then stepped by hand: the same moment every time, however slow the machine.
+  await page.evaluate(async () => {
+    const { session, engine } = globalThis.studio;
+    session.playing.value = false;
+    while (engine.busy) await new Promise((resolve) => setTimeout(resolve, 5));
+    await session.restart();
+    for (let f = 0; f < 430; ++f) await session.step(1);
+    session.figures.value = await engine.call('metrics');
+  });
+  await page.waitForTimeout(2500); // the camera comes to rest
+  await page.screenshot({ path: path.join(out, `${name}.jpg`), type: 'jpeg', quality: 82 });
+  await context.close();
+}
+await browser.close();
+site.close();
