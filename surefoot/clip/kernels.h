@@ -8,12 +8,15 @@
 
 namespace surefoot {
 
+inline constexpr std::int32_t k_whole_share = 32767;
+
 /// Two neighbouring frames of one leaf and what each weighs.
 struct KeyPair {
-    const std::int16_t* from;     ///< [block][x8 y8 z8 w8]
-    const std::int16_t* to;       ///< the frame after it
-    const std::uint8_t* turning;  ///< one flag a block, or null
-    float from_weight, to_weight;
+    const std::int16_t* from;           ///< [block][x8 y8 z8 w8]
+    const std::int16_t* to;             ///< the frame after it
+    const std::uint8_t* turning;        ///< one flag a block, or null
+    std::int32_t from_share, to_share;  ///< [0, k_whole_share], together k_whole_share
+    float weight;                       ///< of the leaf, over k_whole_share
 };
 
 struct ClipKernels {
@@ -29,8 +32,9 @@ struct ClipKernels {
 extern const ClipKernels k_scalar_kernels;
 extern const ClipKernels k_baseline_kernels;  ///< what every machine of the build's target runs
 
-#if defined(SUREFOOT_HAS_KERNELS_V3)
+#if defined(SUREFOOT_HAS_KERNELS_X86_64)
 extern const ClipKernels k_v3_kernels;  ///< x86-64 with AVX2
+extern const ClipKernels k_v4_kernels;  ///< and with AVX-512 (F, BW, CD, DQ, VL)
 #endif
 
 /// The fastest this machine runs; chosen once.

@@ -1,8 +1,7 @@
 #pragma once
 // The kernels' one text, instantiated for each instruction set and for the scalar twin (kernels_*.cpp).
 
-#include <surefoot/clip/kernels.h>
-#include <surefoot/math/lanes_rigid.h>
+#include <surefoot/clip/block_sum.h>
 
 namespace surefoot {
 inline namespace SUREFOOT_KERNELS {
@@ -12,17 +11,9 @@ inline constexpr float k_least_square = 1.0f;
 
 template <class T>
 SUREFOOT_INLINE Quat8<T> sum_block(const KeyPair* pairs, int count, int block) noexcept {
-    using F = Float8<T>;
-    Quat8<T> sum{F::splat(0), F::splat(0), F::splat(0), F::splat(0)};
-    for (int i = 0; i < count; ++i) {
-        const std::int16_t *a = pairs[i].from + block * 32, *b = pairs[i].to + block * 32;
-        const F u = F::splat(pairs[i].from_weight), v = F::splat(pairs[i].to_weight);
-        sum.x += u * F::load_int16(a) + v * F::load_int16(b);
-        sum.y += u * F::load_int16(a + 8) + v * F::load_int16(b + 8);
-        sum.z += u * F::load_int16(a + 16) + v * F::load_int16(b + 16);
-        sum.w += u * F::load_int16(a + 24) + v * F::load_int16(b + 24);
-    }
-    return sum;
+    BlockSum<T> sum;
+    for (int i = 0; i < count; ++i) sum.add(pairs[i], block);
+    return sum.rotations();
 }
 
 // Where a joint turns more than half a revolution from rest, the signs of two clips need not agree: each leaf joins on
@@ -33,19 +24,14 @@ SUREFOOT_INLINE Quat8<T> sum_turning_block(const KeyPair* pairs, int count, int 
     const F zero = F::splat(0);
     Quat8<T> sum{zero, zero, zero, zero};
     for (int i = 0; i < count; ++i) {
-        const std::int16_t *a = pairs[i].from + block * 32, *b = pairs[i].to + block * 32;
-        const F u = F::splat(pairs[i].from_weight), v = F::splat(pairs[i].to_weight);
-        const F x = u * F::load_int16(a) + v * F::load_int16(b);
-        const F y = u * F::load_int16(a + 8) + v * F::load_int16(b + 8);
-        const F z = u * F::load_int16(a + 16) + v * F::load_int16(b + 16);
-        const F w = u * F::load_int16(a + 24) + v * F::load_int16(b + 24);
-        const F towards = F::splat(pairs[i].from_weight + pairs[i].to_weight < 0 ? -1.0f : 1.0f);
-        const F side = (sum.x * x + sum.y * y + sum.z * z + sum.w * w) * towards;
+        const Quat8<T> leaf = sum_block<T>(pairs + i, 1, block);
+        const F towards = F::splat(pairs[i].weight < 0 ? -1.0f : 1.0f);
+        const F side = (sum.x * leaf.x + sum.y * leaf.y + sum.z * leaf.z + sum.w * leaf.w) * towards;
         const Mask8<T> other = side < zero;
-        sum.x += select(other, -x, x);
-        sum.y += select(other, -y, y);
-        sum.z += select(other, -z, z);
-        sum.w += select(other, -w, w);
+        sum.x += select(other, -leaf.x, leaf.x);
+        sum.y += select(other, -leaf.y, leaf.y);
+        sum.z += select(other, -leaf.z, leaf.z);
+        sum.w += select(other, -leaf.w, leaf.w);
     }
     return sum;
 }
@@ -63,15 +49,16 @@ void blend_rotations(const KeyPair* pairs, int count, int joints, float* out, st
         const Quat8<T> sum = turns ? sum_turning_block<T>(pairs, count, block) : sum_block<T>(pairs, count, block);
         const F square = sum.x * sum.x + sum.y * sum.y + sum.z * sum.z + sum.w * sum.w;
         const F scale = rsqrt(max(square, F::splat(k_least_square)));
-        const F zero = F::splat(0);
-        F rows[8] = {sum.x * scale, sum.y * scale, sum.z * scale, sum.w * scale, zero, zero, zero, zero};
-        transpose(rows);
+        const F quads[4] = {sum.x * scale, sum.y * scale, sum.z * scale, sum.w * scale};
         const int lanes = joints - block * 8 < 8 ? joints - block * 8 : 8;
         float* to = out + static_cast<std::size_t>(block) * 8 * stride;
         if (lanes == 8) {
-            for (int lane = 0; lane < 8; ++lane) rows[lane].store4(to + static_cast<std::size_t>(lane) * stride);
+            store_quads(quads, [&](int lane) noexcept { return to + static_cast<std::size_t>(lane) * stride; });
         } else {
-            for (int lane = 0; lane < lanes; ++lane) rows[lane].store4(to + static_cast<std::size_t>(lane) * stride);
+            float all[32];
+            store_quads(quads, [&](int lane) noexcept { return all + 4 * lane; });
+            for (int lane = 0; lane < lanes; ++lane)
+                std::memcpy(to + static_cast<std::size_t>(lane) * stride, all + 4 * lane, 4 * sizeof(float));
         }
     }
 }
@@ -103,16 +90,13 @@ SUREFOOT_INLINE void write_matrices(const float* model, float* const* models, st
     const F x = F::load(model), y = F::load(model + 8), z = F::load(model + 16), w = F::load(model + 24);
     const F x2 = x + x, y2 = y + y, z2 = z + z;
     const F xx = x * x2, yy = y * y2, zz = z * z2, xy = x * y2, xz = x * z2, yz = y * z2;
-    const F wx = w * x2, wy = w * y2, wz = w * z2, zero = F::splat(0);
+    const F wx = w * x2, wy = w * y2, wz = w * z2;
     F upper[8] = {1.0f - (yy + zz), xy - wz,          xz + wy, F::load(model + 32),
                   xy + wz,          1.0f - (xx + zz), yz - wx, F::load(model + 40)};
-    F lower[8] = {xz - wy, yz + wx, 1.0f - (xx + yy), F::load(model + 48), zero, zero, zero, zero};
+    const F lower[4] = {xz - wy, yz + wx, 1.0f - (xx + yy), F::load(model + 48)};
     transpose(upper);
-    transpose(lower);
-    for (int c = 0; c < 8; ++c) {
-        upper[c].store(models[c] + joint * 12);
-        lower[c].store4(models[c] + joint * 12 + 8);
-    }
+    for (int c = 0; c < 8; ++c) upper[c].store(models[c] + joint * 12);
+    store_quads(lower, [&](int c) noexcept { return models[c] + joint * 12 + 8; });
 }
 
 template <class T>

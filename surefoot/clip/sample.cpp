@@ -54,8 +54,13 @@ void sample_with(const ClipKernels& kernels, const Skeleton& skeleton, std::span
         const float weight = leaf.weight / total;
         const std::size_t frame = static_cast<std::size_t>(clip.block_count()) * 4 * k_lanes;
         const std::int16_t* from = clip.rotations.data() + static_cast<std::size_t>(keys.from) * frame;
-        pairs[count++] = {from, from + frame, clip.turning_blocks.empty() ? nullptr : clip.turning_blocks.data(),
-                          weight * (1.0f - keys.share), weight * keys.share};
+        const int to_share = static_cast<int>(keys.share * static_cast<float>(k_whole_share) + 0.5f);
+        pairs[count++] = {from,
+                          from + frame,
+                          clip.turning_blocks.empty() ? nullptr : clip.turning_blocks.data(),
+                          k_whole_share - to_share,
+                          to_share,
+                          weight / static_cast<float>(k_whole_share)};
         add_translations(skeleton, clip, keys, weight, locals);
     };
     // What is taken off comes last: signs of joints that turn far are told by the sum so far (kernels_impl.h).

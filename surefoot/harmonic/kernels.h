@@ -28,8 +28,9 @@ struct HarmonicKernels {
 extern const HarmonicKernels k_scalar_harmonic_kernels;
 extern const HarmonicKernels k_baseline_harmonic_kernels;  ///< what every machine of the build's target runs
 
-#if defined(SUREFOOT_HAS_KERNELS_V3)
+#if defined(SUREFOOT_HAS_KERNELS_X86_64)
 extern const HarmonicKernels k_v3_harmonic_kernels;  ///< x86-64 with AVX2
+extern const HarmonicKernels k_v4_harmonic_kernels;  ///< and with AVX-512 (F, BW, CD, DQ, VL)
 #endif
 
 /// The fastest this machine runs; chosen once.

@@ -417,6 +417,47 @@ SUREFOOT_INLINE void transpose(Float8<T> (&rows)[8]) noexcept {
     }
 }
 
+template <class F4>
+SUREFOOT_INLINE void store_quad(float* to, F4 quad) noexcept {
+    static_assert(sizeof quad == 4 * sizeof(float));
+    std::memcpy(to, &quad, sizeof quad);
+}
+/// Four rows of eight as eight quads: lane l of the rows goes to the four floats at to(l).
+template <class T, class To>
+SUREFOOT_INLINE void store_quads(const Float8<T> (&rows)[4], const To& to) noexcept {
+    if constexpr (T::width == 1) {
+        for (int lane = 0; lane < 8; ++lane)
+            for (int r = 0; r < 4; ++r) to(lane)[r] = rows[r].part[lane];
+    } else {
+        for (int i = 0; i < T::parts; ++i) {
+            const auto a = rows[0].part[i], b = rows[1].part[i], c = rows[2].part[i], d = rows[3].part[i];
+            if constexpr (T::width == 8) {
+                const auto ab0 = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+                const auto ab1 = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+                const auto cd0 = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
+                const auto cd1 = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+                const typename T::F pairs[4] = {__builtin_shufflevector(ab0, cd0, 0, 1, 8, 9, 4, 5, 12, 13),
+                                                __builtin_shufflevector(ab0, cd0, 2, 3, 10, 11, 6, 7, 14, 15),
+                                                __builtin_shufflevector(ab1, cd1, 0, 1, 8, 9, 4, 5, 12, 13),
+                                                __builtin_shufflevector(ab1, cd1, 2, 3, 10, 11, 6, 7, 14, 15)};
+                for (int l = 0; l < 4; ++l) {
+                    store_quad(to(l), __builtin_shufflevector(pairs[l], pairs[l], 0, 1, 2, 3));
+                    store_quad(to(l + 4), __builtin_shufflevector(pairs[l], pairs[l], 4, 5, 6, 7));
+                }
+            } else {
+                const auto ab0 = __builtin_shufflevector(a, b, 0, 4, 1, 5),
+                           ab1 = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+                const auto cd0 = __builtin_shufflevector(c, d, 0, 4, 1, 5),
+                           cd1 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+                store_quad(to(4 * i), __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5));
+                store_quad(to(4 * i + 1), __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7));
+                store_quad(to(4 * i + 2), __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5));
+                store_quad(to(4 * i + 3), __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7));
+            }
+        }
+    }
+}
+
 /// Sine and cosine together. Good to 2e-7 for |x| < 100 and to 1e-5 for |x| < 8000; angles in radians.
 template <class T>
 SUREFOOT_INLINE void sincos(Float8<T> x, Float8<T>& sine, Float8<T>& cosine) noexcept {

@@ -1,9 +1,11 @@
 #include <surefoot/clip/kernels.h>
 
 #include <surefoot/base/random.h>
+#include <surefoot/math/processor.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -13,8 +15,9 @@ namespace {
 /// Every build of the kernels that this machine can run.
 std::vector<const ClipKernels*> builds() {
     std::vector<const ClipKernels*> list{&k_baseline_kernels};
-#if defined(SUREFOOT_HAS_KERNELS_V3)
-    if (__builtin_cpu_supports("avx2")) list.push_back(&k_v3_kernels);
+#if defined(SUREFOOT_HAS_KERNELS_X86_64)
+    if (processor_level() >= ProcessorLevel::v3) list.push_back(&k_v3_kernels);
+    if (processor_level() >= ProcessorLevel::v4) list.push_back(&k_v4_kernels);
 #endif
     return list;
 }
@@ -28,9 +31,11 @@ TEST(ClipKernels, every_build_blends_to_the_scalar_twins_bits) {
         std::vector<std::uint8_t> turning(blocks, 0);
         turning[blocks / 2] = 1;
         std::vector<KeyPair> pairs;
-        for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto share = static_cast<std::int32_t>(random.below(k_whole_share + 1));
             pairs.push_back({&frames[2 * i * frame], &frames[(2 * i + 1) * frame], i == 1 ? turning.data() : nullptr,
-                             random.unit(), random.unit()});
+                             k_whole_share - share, share, random.unit() * (i == 3 ? -0.1f : 1.0f) / k_whole_share});
+        }
         std::vector<float> wanted(static_cast<std::size_t>(joints) * 7, -1.0f);
         k_scalar_kernels.blend_rotations(pairs.data(), 4, joints, wanted.data(), 7);
         for (const ClipKernels* kernels : builds()) {
@@ -40,6 +45,56 @@ TEST(ClipKernels, every_build_blends_to_the_scalar_twins_bits) {
                 << kernels->name << ", " << joints << " joints";
         }
     }
+}
+
+// The widest products there are: 16-bit integers and shares at their ends must not overflow on any build.
+TEST(ClipKernels, keys_at_the_ends_of_their_range_blend_without_overflow) {
+    const std::vector<std::int16_t> low(32, INT16_MIN), high(32, INT16_MAX);
+    for (const std::int32_t share : {0, 1, k_whole_share / 2, k_whole_share})
+        for (const auto* keys : {&low, &high}) {
+            const KeyPair pair{keys->data(), keys->data(), nullptr, k_whole_share - share, share, 1.0f / k_whole_share};
+            float wanted[8 * 7] = {};
+            k_scalar_kernels.blend_rotations(&pair, 1, 8, wanted, 7);
+            EXPECT_EQ(wanted[0], keys == &low ? -0.5f : 0.5f);
+            for (const ClipKernels* kernels : builds()) {
+                float got[8 * 7] = {};
+                kernels->blend_rotations(&pair, 1, 8, got, 7);
+                EXPECT_EQ(std::memcmp(got, wanted, sizeof got), 0) << kernels->name << ", share " << share;
+            }
+        }
+}
+
+// Against a blend in double precision from the same keys: shares of 15 bits cost less than the keys' own 16.
+TEST(ClipKernels, shares_of_15_bits_cost_less_than_keys_of_16) {
+    Random random(3);
+    double worst = 0;
+    for (int round = 0; round < 200; ++round) {
+        std::int16_t keys[2][32];
+        double q[2][4], norm[2] = {0, 0};
+        for (int k = 0; k < 4; ++k) {  // up to some 40 degrees between the keys
+            q[0][k] = static_cast<double>(random.between(-1, 1));
+            q[1][k] = q[0][k] + 0.25 * static_cast<double>(random.between(-1, 1));
+        }
+        for (int i = 0; i < 2; ++i)
+            for (const double x : q[i]) norm[i] += x * x;
+        for (int i = 0; i < 2; ++i)
+            for (int n = 0; n < 32; ++n)
+                keys[i][n] = static_cast<std::int16_t>(std::lround(q[i][n / 8] / std::sqrt(norm[i]) * 32767));
+        const float wanted_share = random.unit();
+        const auto share = static_cast<std::int32_t>(wanted_share * k_whole_share + 0.5f);
+        const KeyPair pair{keys[0], keys[1], nullptr, k_whole_share - share, share, 1.0f / k_whole_share};
+        float got[8 * 7];
+        clip_kernels().blend_rotations(&pair, 1, 8, got, 7);
+        double wanted[4], square = 0;
+        for (int k = 0; k < 4; ++k) {
+            wanted[k] = keys[0][8 * k] + static_cast<double>(wanted_share) * (keys[1][8 * k] - keys[0][8 * k]);
+            square += wanted[k] * wanted[k];
+        }
+        for (int k = 0; k < 4; ++k)
+            worst = std::max(worst, std::abs(static_cast<double>(got[k]) - wanted[k] / std::sqrt(square)));
+    }
+    EXPECT_LT(worst, 0.5 / 32767);
+    EXPECT_GT(worst, 0);
 }
 
 TEST(ClipKernels, every_build_makes_the_scalar_twins_matrices) {
