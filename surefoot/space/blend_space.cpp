@@ -209,11 +209,12 @@ std::string problem(const BlendSpace& space) {
     if (!space.copy_of.empty() && space.copy_of.size() != space.samples.size())
         return "there are " + std::to_string(space.samples.size()) + " samples but " +
                std::to_string(space.copy_of.size()) + " of them are known as originals or copies";
+    const std::int32_t originals = space.original_count();
     for (std::size_t i = 0; i < space.copy_of.size(); ++i) {
         const std::int32_t of = space.copy_of[i];
         if (of < 0 || of > static_cast<std::int32_t>(i) || space.copy_of[of] != of)
             return "sample " + std::to_string(i) + " is a copy of something that is no original";
-        if (of == static_cast<std::int32_t>(i) && of >= space.original_count())
+        if (of == static_cast<std::int32_t>(i) && of >= originals)
             return "sample " + std::to_string(i) + " is an original behind copies";
     }
     if (space.neighbours.size() != space.simplices.size())
