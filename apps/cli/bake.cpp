@@ -1,4 +1,4 @@
-// surefoot bake PROJECT|GRAPH|PACK: a character and all that it can do as one file for games, and what is in it.
+// surefoot bake PROJECT|GRAPH|GAIT|PACK: a character and all that it can do as one file for games, and what is in it.
 
 #include "character_file.h"
 #include "command.h"
@@ -92,15 +92,18 @@ Json report_json(const CharacterFile& file, const Baked& baked) {
 
 std::string report_text(const CharacterFile& file, const Baked& baked) {
     const Program& program = file.pack.program;
-    std::string text =
-        fmt::format("{}: {} joints, {} clips, {}, {} bytes a character\n\n", program.name,
-                    file.pack.skeleton().joint_count(), program.body.clips.size(),
-                    file.pack.has_program()
-                        ? fmt::format("{} nodes, {} parameters", program.nodes.size(), program.parameters.size())
-                        : std::string("a project without a graph"),
-                    state_bytes(file.pack));
-    text += fmt::format("{:<24} {:>6} {:>6} {:>8} {:>9} {:>6} {:>9}\n", "clip", "frames", "fps", "s", "bytes", "ratio",
-                        "error mm");
+    const auto count = [](std::size_t n, const char* what) {
+        return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+    };
+    std::string text = fmt::format("{}: {} joints, {}, {}, {} bytes a character\n\n", program.name,
+                                   file.pack.skeleton().joint_count(), count(program.body.clips.size(), "clip"),
+                                   file.pack.has_program() ? count(program.nodes.size(), "node") + ", " +
+                                                                 count(program.parameters.size(), "parameter")
+                                                           : std::string("a project without a graph"),
+                                   state_bytes(file.pack));
+    if (!program.body.clips.empty())
+        text += fmt::format("{:<24} {:>6} {:>6} {:>8} {:>9} {:>6} {:>9}\n", "clip", "frames", "fps", "s", "bytes",
+                            "ratio", "error mm");
     for (std::size_t i = 0; i < program.body.clips.size(); ++i) {
         const PackedClip& clip = program.body.clips[i];
         text += fmt::format("{:<24} {:>6} {:>6g} {:>8.2f} {:>9} {:>5.1f}x {:>9}\n", clip.name, clip.frame_count,
@@ -108,7 +111,7 @@ std::string report_text(const CharacterFile& file, const Baked& baked) {
                             static_cast<double>(raw_bytes(clip)) / static_cast<double>(clip_bytes(clip)),
                             i < file.packing.size() ? fmt::format("{:.3f}", file.packing[i].error * 1000) : "-");
     }
-    text += "\n";
+    if (!program.body.clips.empty()) text += "\n";
     for (const PackPart& part : baked.parts) text += fmt::format("{:<24} {:>9} bytes\n", part.name, part.bytes);
     return text + fmt::format("{:<24} {:>9} bytes, version {}\n", "in all", baked.bytes.size(), k_pack_version);
 }
@@ -134,9 +137,10 @@ extern const Command k_bake;
 const Command k_bake{
     "bake", "Write a project or graph as one file that a game loads at once", [](CLI::App& app) {
         auto options = std::make_shared<Options>();
-        app.add_option("PROJECT", options->source,
-                       "A project made by 'surefoot author' (its folder or file), a graph (docs/graphs.md), or a pack, "
-                       "to see what it holds")
+        app.add_option(
+               "PROJECT", options->source,
+               "A project made by 'surefoot author' (its folder or file), a graph (docs/graphs.md), a live gait "
+               "(human), or a pack, to see what it holds")
             ->required();
         app.add_option("-o,--output", options->out, "The pack (.sfpack); without, only what it would hold is told");
         app.add_flag("--json", options->json, "Tell it as JSON");

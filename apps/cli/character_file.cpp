@@ -1,5 +1,7 @@
 #include "character_file.h"
 
+#include "live_gait.h"
+
 #include <surefoot/author/project.h>
 #include <surefoot/bake/character.h>
 #include <surefoot/base/error.h>
@@ -42,6 +44,11 @@ bool is_pack_file(const std::string& name) { return std::filesystem::path(name).
 CharacterFile read_character_file(const std::string& name) {
     if (is_pack_file(name)) return open_pack(name);
     CharacterFile file;
+    if (is_live_gait(name)) {
+        LiveGait live = read_live_gait(name);
+        file.pack = gait_graph(std::make_shared<const LiveRig>(std::move(live.rig)), live.name, live.speed);
+        return file;
+    }
     std::vector<std::string> warnings;
     if (is_graph(name)) {
         file.pack = load_graph(name, &warnings, &file.packing);

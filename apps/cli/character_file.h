@@ -1,5 +1,5 @@
 #pragma once
-// Characters as the command line names them: a project, a graph beside one, or a pack of either.
+// Characters as the command line names them: a project, a graph beside one, a live gait, or a pack of any.
 
 #include <surefoot/pack/pack_clip.h>
 #include <surefoot/pack_file/pack.h>
@@ -16,7 +16,8 @@ struct CharacterFile {
     std::vector<PackReport> packing;  ///< by clip; a pack does not know any more
 };
 
-/// A folder of a project or its project.json, a graph file, or a pack. Warnings go to standard error. Throws Error.
+/// A folder of a project or its project.json, a graph file, a pack, or a live gait (live_gait.h), which becomes a graph
+/// of one node. Warnings go to standard error. Throws Error.
 CharacterFile read_character_file(const std::string& name);
 
 /// True for what has the extension of packs.

@@ -22,6 +22,10 @@ inline constexpr int k_graph_version = 1;
 Pack load_graph(const std::filesystem::path& file, std::vector<std::string>* warnings = nullptr,
                 std::vector<PackReport>* packing = nullptr);
 
+/// The graph of one node: a live gait, steered by the parameters "speed" [m/s], "turn" [deg/s] and, where it has
+/// several manners, "manner". `own_speed` [m/s] is that of a gait of one clip.
+Pack gait_graph(const std::shared_ptr<const LiveRig>& rig, const std::string& name, float own_speed);
+
 /// True where a JSON text is a graph's.
 bool is_graph_text(std::string_view text);
 

@@ -204,6 +204,13 @@ Character character_of(const LiveRig& rig) {
     return character;
 }
 
+void take_body(Pack& pack, const Character& character) {
+    pack.roles = character.roles;
+    pack.legs = character.legs;
+    pack.standing = character.standing;
+    pack.hip_height = character.hip_height;
+}
+
 }  // namespace
 
 bool is_graph_text(std::string_view text) {
@@ -281,11 +288,34 @@ Pack load_graph(const std::filesystem::path& file, std::vector<std::string>* war
     if (const std::string text = problem(program); !text.empty())
         throw Error(text, file.string(), "mend the node that is named");
     if (packing) *packing = std::move(character.packing);
-    result.roles = character.roles;
-    result.legs = character.legs;
-    result.standing = character.standing;
-    result.hip_height = character.hip_height;
+    take_body(result, character);
     return result;
+}
+
+Pack gait_graph(const std::shared_ptr<const LiveRig>& rig, const std::string& name, float own_speed) {
+    Character character = character_of(*rig);
+    Pack pack;
+    take_body(pack, character);
+    Program& program = pack.program;
+    program.name = name;
+    program.body = std::move(character.graph);
+    program.mirror = mirror_map(*rig->skeleton, pack.roles);
+    program.rigs = {rig};
+    const HarmonicGait& gait = *rig->manners.front().gait;
+    const float fastest = gait.family() ? gait.basis.most_speed : own_speed;
+    const auto add = [&](const char* parameter, const char* unit, float low, float high) -> Operand {
+        program.parameters.push_back({parameter, unit, ParameterKind::number, 0, low, high, 0, 0});
+        return {0, 1, static_cast<int>(program.parameters.size()) - 1};
+    };
+    GaitNode node;
+    node.speed = add("speed", "m/s", std::min(0.0f, gait.basis.least_speed), std::max(0.0f, fastest));
+    node.turn = add("turn", "deg/s", -gait.basis.most_turn, gait.basis.most_turn);
+    const auto manners = static_cast<float>(rig->manners.size());
+    node.manner = manners > 1 ? add("manner", "", 0, manners - 1) : Operand(0.0f);
+    add_node(program, "/root", node, {});
+    lay_out(program);
+    if (const std::string text = problem(pack); !text.empty()) throw Error(text, name, "fit another gait");
+    return pack;
 }
 
 }  // namespace surefoot

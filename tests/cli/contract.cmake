@@ -61,6 +61,8 @@ endif()
 expect(0 "a project without a graph, 24 bytes a character" bake project -o hero.sfpack)
 expect(0 "\"error_mm\": null" bake hero.sfpack --json)
 expect(2 "not named .sfpack" bake project -o hero.pack)
+expect(0 "1 node, 3 parameters" bake human -o human.sfpack)
+expect(0 "surefoot" walk human.sfpack --course flat --seconds 2)
 foreach(from project hero.sfpack)
   execute_process(COMMAND "${PROGRAM}" walk ${from} --course stairs_up --seconds 4 --json WORKING_DIRECTORY "${SCRATCH}"
                   OUTPUT_VARIABLE walked_${from} RESULT_VARIABLE result)

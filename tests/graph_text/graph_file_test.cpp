@@ -1,4 +1,5 @@
 #include <surefoot/author/author.h>
+#include <surefoot/author/live_rigs.h>
 #include <surefoot/base/error.h>
 #include <surefoot/graph_text/graph_file.h>
 #include <surefoot/host/files.h>
@@ -222,6 +223,28 @@ TEST_F(GraphFile, a_live_gait_joins_a_project_of_the_same_skeleton_only) {
     EXPECT_EQ(error_of(graph("walk")),
               "hero.json: the gait 'walk' is of another skeleton than the project's clips; fit one to it: surefoot fit "
               "CLIPS --to CHARACTER -o gait.json");
+}
+
+TEST(GaitGraph, is_a_live_gait_that_goes_as_its_parameters_say) {
+    const auto rig = std::make_shared<const LiveRig>(read_live_rig("human"));
+    const Pack human = gait_graph(rig, "human", 0);
+    EXPECT_EQ(problem(human), "");
+    const Program& program = human.program;
+    GraphScratch scratch(program);
+    GraphFrame frame(program);
+    std::vector<std::byte> state(program.state_size);
+    start(program, state);
+    set(program, state, program.parameter("speed"), 1.4f);
+    RootFrame root;
+    for (int i = 0; i < 600; ++i) {
+        GraphInput input;
+        input.dt = 1.0f / 60;
+        update(program, state, input, scratch, frame);
+        root = root * frame.root_delta;
+    }
+    EXPECT_NEAR(frame.velocity.z, 1.4f, 1e-3f);
+    EXPECT_GT(root.position.z, 12);
+    EXPECT_EQ(program.parameters[static_cast<std::size_t>(program.parameter("manner"))].high, 1);  // it can crouch
 }
 
 TEST_F(GraphFile, every_key_of_the_schema_is_known) {
