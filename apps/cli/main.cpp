@@ -15,7 +15,7 @@ namespace surefoot::cli {
 // Each is defined in the file of its name beside this one, the edits in edit.cpp.
 extern const Command k_analyze, k_author, k_lint, k_fix, k_walk;
 extern const Command k_convert, k_mirror, k_reverse, k_cut, k_resample, k_retime, k_straighten, k_clean, k_roles;
-extern const Command k_retarget, k_fit, k_gait, k_rig, k_bake, k_studio;
+extern const Command k_retarget, k_fit, k_gait, k_rig, k_bake, k_bench, k_studio;
 
 namespace {
 
@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
     std::function<int()> chosen;
     const Command* commands[] = {&k_analyze, &k_author, &k_lint,     &k_fix,    &k_walk,       &k_convert, &k_mirror,
                                  &k_reverse, &k_cut,    &k_resample, &k_retime, &k_straighten, &k_clean,   &k_retarget,
-                                 &k_fit,     &k_roles,  &k_gait,     &k_rig,    &k_bake,       &k_studio};
+                                 &k_fit,     &k_roles,  &k_gait,     &k_rig,    &k_bake,       &k_bench,   &k_studio};
     for (const Command* command : commands) {
         CLI::App* sub = app.add_subcommand(command->name, command->help);
         const auto run = command->define(*sub);

@@ -1,0 +1,214 @@
+// surefoot bench CHARACTER: what a frame of it costs on this machine, a character and stage; and what the machine does
+// today beside it.
+
+#include "character_file.h"
+#include "command.h"
+
+#include <surefoot/bake/character.h>
+#include <surefoot/base/error.h>
+#include <surefoot/clip/kernels.h>
+#include <surefoot/course/placed_walker.h>
+#include <surefoot/crowd/crowd.h>
+#include <surefoot/ground/height_field.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <ctime>
+#include <memory>
+
+namespace surefoot::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr float k_dt = 1.0f / 60;
+
+struct Options {
+    std::string source;
+    std::vector<std::size_t> crowds{1, 8, 100, 1000, 10000};
+    double seconds = 4;
+    bool json = false;
+};
+
+/// One thing that is measured: `work` is a frame of `units` characters, or of a calibration loop.
+struct Row {
+    std::string name;
+    double units = 1;
+    std::function<void()> work;
+    std::vector<double> us;  ///< a unit, by round
+    double median() const {
+        std::vector<double> sorted = us;
+        std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+        return sorted[sorted.size() / 2];
+    }
+};
+
+/// Processor time, which what else runs here disturbs less than the clock on the wall.
+double measure(const Row& row, double seconds) {
+    const std::clock_t begin = std::clock();
+    const auto enough = static_cast<std::clock_t>(seconds * CLOCKS_PER_SEC);
+    std::clock_t now = begin;
+    double done = 0;
+    for (long batch = 1; now - begin < enough; batch *= 2) {
+        for (long i = 0; i < batch; ++i) row.work();
+        done += static_cast<double>(batch) * row.units;
+        now = std::clock();
+    }
+    return static_cast<double>(now - begin) * 1e6 / CLOCKS_PER_SEC / done;
+}
+
+/// Steering that never rests, and each character's own.
+LocomotionRequest wish(std::size_t character, std::uint32_t frame) {
+    const float t = 0.01f * static_cast<float>(frame) + 0.13f * static_cast<float>(character % 97);
+    const float saw = t - std::floor(t), slow_saw = 0.3f * t - std::floor(0.3f * t);
+    return {1.2f + 1.5f * saw, 70.0f * (0.5f - slow_saw), 0};
+}
+
+struct Actors {
+    const LocomotionGraph& graph;
+    std::vector<LocomotionState> states;
+    std::vector<LocomotionRequest> wishes;
+    std::vector<RootFrame> roots;
+    std::vector<Transform> locals;
+    std::vector<Matrix34> matrices;
+    CrowdScratch scratch;
+    std::uint32_t frame = 0;
+
+    Actors(const LocomotionGraph& graph_, std::size_t count, bool wants_locals, bool wants_matrices)
+        : graph(graph_), states(count), wishes(count), roots(count), scratch(graph) {
+        const std::size_t joints = graph.skeleton->rest.size();
+        if (wants_locals) locals.resize(count * joints);
+        if (wants_matrices) matrices.resize(count * joints);
+        for (std::size_t c = 0; c < count; ++c) states[c].phase = 0.01f * static_cast<float>(c % 97);
+    }
+    void step() {
+        for (std::size_t c = 0; c < wishes.size(); ++c) wishes[c] = wish(c, frame);
+        Crowd crowd{states, wishes, roots};
+        crowd.frame = frame++;
+        crowd.locals = locals;
+        crowd.matrices = matrices;
+        evaluate(graph, crowd, {0, states.size()}, k_dt, scratch);
+    }
+};
+
+/// One character with its feet on hills, as the course runs it: it looks ahead and plans once a step.
+struct Hero {
+    HeightField hills = make_hills();
+    std::unique_ptr<Walker> walker;
+    std::unique_ptr<PlacedWalker> placed;
+    int frame = 0;
+
+    explicit Hero(const Character& character) : walker(make_character_walker(character)) {
+        placed = std::make_unique<PlacedWalker>(*walker, hills);
+        placed->start(1.4f);
+    }
+    void step() {
+        constexpr int k_lap = 60 * 60;  // the hills end
+        if (++frame % k_lap == 0) placed->start(1.4f);
+        placed->advance(k_dt);
+    }
+};
+
+void multiply_add() {
+    static float a[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    for (int k = 0; k < 1000; ++k)
+        for (float& x : a) x = x * 0.999f + 1e-3f;
+}
+
+constexpr const char *k_multiply_adds = "16 000 multiply-adds", *k_writes = "writing 32 MB";
+
+std::vector<Row> measured(const Character& character, const Options& options) {
+    const LocomotionGraph& graph = character.graph;
+    std::vector<Row> rows;
+    const auto crowd = [&](const std::string& name, std::size_t count, bool locals, bool matrices) {
+        auto actors = std::make_shared<Actors>(graph, count, locals, matrices);
+        rows.push_back({name, static_cast<double>(count), [actors] { actors->step(); }, {}});
+    };
+    constexpr std::size_t k_stage_crowd = 104;
+    crowd("update alone", k_stage_crowd, false, false);
+    crowd("update and pose", k_stage_crowd, true, false);
+    for (const std::size_t count : options.crowds)
+        crowd(fmt::format("update, pose, matrices: crowd of {}", count), count, false, true);
+    if (character.legs.known()) {
+        auto hero = std::make_shared<Hero>(character);
+        rows.push_back({"one with its feet on hills, looking ahead", 1, [hero] { hero->step(); }, {}});
+    }
+    rows.push_back({k_multiply_adds, 1, multiply_add, {}});
+    auto bytes = std::make_shared<std::vector<float>>(8'000'000);
+    rows.push_back(
+        {k_writes, 1, [bytes, value = 0.0f]() mutable { std::fill(bytes->begin(), bytes->end(), ++value); }, {}});
+    // In turns, so that what disturbs the machine for a while disturbs all alike.
+    constexpr int k_rounds = 5;
+    const double each = options.seconds / (k_rounds * static_cast<double>(rows.size()));
+    for (int round = 0; round < k_rounds; ++round)
+        for (Row& row : rows) row.us.push_back(measure(row, each));
+    return rows;
+}
+
+Json report_json(const Character& character, const std::vector<Row>& rows) {
+    Json report{{"kernels", clip_kernels().name},
+                {"joints", character.skeleton->joint_count()},
+                {"clips", character.graph.clips.size()},
+                {"state_bytes", sizeof(LocomotionState)},
+                {"foot_placement_state_bytes", sizeof(FootPlacementState)},
+                {"rows", Json::array()}};
+    for (const Row& row : rows) {
+        const auto [least, most] = std::minmax_element(row.us.begin(), row.us.end());
+        report["rows"].push_back(
+            {{"name", row.name}, {"median_us", row.median()}, {"least_us", *least}, {"most_us", *most}});
+    }
+    return report;
+}
+
+std::string report_text(const Character& character, const std::vector<Row>& rows) {
+    std::string text = fmt::format(
+        "{} joints, {} clips, kernels for {}; {} bytes of state a character, and {} where feet are placed\n\n"
+        "{:<44} {:>9} {:>9} {:>9}\n",
+        character.skeleton->joint_count(), character.graph.clips.size(), clip_kernels().name, sizeof(LocomotionState),
+        sizeof(FootPlacementState), "processor time, us a character and frame", "median", "least", "most");
+    for (const Row& row : rows) {
+        if (row.name == k_multiply_adds) text += "\nthe machine, us each\n";
+        const auto [least, most] = std::minmax_element(row.us.begin(), row.us.end());
+        text += fmt::format("{:<44} {:>9.3f} {:>9.3f} {:>9.3f}\n", row.name, row.median(), *least, *most);
+    }
+    return text;
+}
+
+Character read(const std::string& source) {
+    const CharacterFile file = read_character_file(source);
+    if (file.pack.has_program())
+        throw Error("it is a graph", source, "only characters of one blend space are measured; name its project");
+    return to_character(file.pack);
+}
+
+int run(const Options& options) {
+    const Character character = read(options.source);
+    const std::vector<Row> rows = measured(character, options);
+    if (options.json)
+        fmt::print("{}\n", report_json(character, rows).dump(2));
+    else
+        fmt::print("{}", report_text(character, rows));
+    return 0;
+}
+
+}  // namespace
+
+extern const Command k_bench;
+const Command k_bench{"bench", "Measure what a frame of a character costs on this machine", [](CLI::App& app) {
+                          auto options = std::make_shared<Options>();
+                          app.add_option("character", options->source, "a project or a pack of one")->required();
+                          app.add_option("--crowd", options->crowds, "how many characters, one or several numbers")
+                              ->delimiter(',')
+                              ->check(CLI::Range(1, 200000))
+                              ->capture_default_str();
+                          app.add_option("--seconds", options->seconds, "how long to measure, about")
+                              ->check(is_number)
+                              ->check(CLI::Range(0.1, 600.0));
+                          app.add_flag("--json", options->json, "Tell it as JSON");
+                          return [options] { return run(*options); };
+                      }};
+
+}  // namespace surefoot::cli
