@@ -177,15 +177,12 @@ std::string report_text(const Character& character, const std::vector<Row>& rows
     return text;
 }
 
-Character read(const std::string& source) {
-    const CharacterFile file = read_character_file(source);
-    if (file.pack.has_program())
-        throw Error("it is a graph", source, "only characters of one blend space are measured; name its project");
-    return to_character(file.pack);
-}
-
 int run(const Options& options) {
-    const Character character = read(options.source);
+    const CharacterFile file = read_character_file(options.source);  // a pack's clips point into its bytes
+    if (file.pack.has_program())
+        throw Error("it is a graph", options.source,
+                    "only characters of one blend space are measured; name its project");
+    const Character character = to_character(file.pack);
     const std::vector<Row> rows = measured(character, options);
     if (options.json)
         fmt::print("{}\n", report_json(character, rows).dump(2));
