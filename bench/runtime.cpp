@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <surefoot/clip/kernels.h>
+#include <surefoot/crowd/crowd.h>
 
 #include <algorithm>
 
@@ -50,7 +51,14 @@ void sample_blend(benchmark::State& state, bool scalar, bool random) {
     }
     per_character(state);
 }
-BENCHMARK_CAPTURE(sample_blend, vector, false, false)->ArgName("clips")->Arg(1)->Arg(3)->Arg(6);
+BENCHMARK_CAPTURE(sample_blend, vector, false, false)
+    ->ArgName("clips")
+    ->Arg(1)
+    ->Arg(2)
+    ->Arg(3)
+    ->Arg(6)
+    ->Arg(9)
+    ->Arg(12);
 BENCHMARK_CAPTURE(sample_blend, vector_random_access, false, true)->ArgName("clips")->Arg(3);
 BENCHMARK_CAPTURE(sample_blend, scalar, true, false)->ArgName("clips")->Arg(3);
 
@@ -112,39 +120,34 @@ void update_only(benchmark::State& state) {
 }
 BENCHMARK(update_only);
 
-/// Update, three-clip pose and 3x4 matrices of a whole crowd, written out; no foot placement.
-void crowd_frame(benchmark::State& state) {
-    const auto count = static_cast<std::size_t>(state.range(0));
+/// Update, pose and 3x4 matrices of a whole crowd, written out; this character's graph knows no legs, so its feet are
+/// neither blended as feet nor placed.
+void frames_of(benchmark::State& state, const LocomotionGraph& graph, std::size_t count) {
     std::vector<LocomotionState> characters(count);
     for (std::size_t c = 0; c < count; ++c) characters[c].phase = 0.01f * static_cast<float>(c % 97);
+    std::vector<LocomotionRequest> wishes(count);
     std::vector<RootFrame> roots(count);
-    std::vector<Matrix34> matrices(count * k_joints), unused(k_joints);
-    std::vector<Transform> locals(k_lanes * k_joints);
-    std::vector<float> scratch(model_scratch_floats(k_joints));
-    int frame_number = 0;
+    std::vector<Matrix34> matrices(count * graph.skeleton->rest.size());
+    CrowdScratch scratch(graph);
+    Crowd crowd{characters, wishes, roots};
+    crowd.matrices = matrices;
     for (auto _ : state) {
-        ++frame_number;
-        for (std::size_t first = 0; first < count; first += k_lanes) {
-            const Transform* in[k_lanes];
-            Matrix34* out[k_lanes];
-            for (std::size_t lane = 0; lane < k_lanes; ++lane) {
-                const std::size_t c = first + lane;
-                const bool idle = c >= count;
-                in[lane] = locals.data() + (idle ? 0 : lane) * k_joints;
-                out[lane] = idle ? unused.data() : matrices.data() + c * k_joints;
-                if (idle) continue;
-                const LocomotionFrame frame = update(graph(), characters[c], wish(c, frame_number), 1.0f / 60);
-                roots[c] = frame.root_delta;
-                pose(graph(), frame, {locals.data() + lane * k_joints, k_joints});
-            }
-            local_to_model_8(*graph().skeleton, in, out, scratch.data());
-        }
+        ++crowd.frame;
+        for (std::size_t c = 0; c < count; ++c) wishes[c] = wish(c, static_cast<int>(crowd.frame));
+        evaluate(graph, crowd, {0, count}, 1.0f / 60, scratch);
         benchmark::ClobberMemory();
     }
     per_character(state, static_cast<double>(count));
     state.counters["state_bytes"] = sizeof(LocomotionState);
 }
-BENCHMARK(crowd_frame)->ArgName("characters")->Arg(1)->Arg(8)->Arg(100)->Arg(1000)->Arg(10000);
+void crowd_frame(benchmark::State& state) { frames_of(state, graph(), static_cast<std::size_t>(state.range(0))); }
+BENCHMARK(crowd_frame)->ArgName("characters")->Arg(1)->Arg(8)->Arg(100)->Arg(1000)->Arg(10000)->Arg(100000);
+
+void crowd_frame_by_joints(benchmark::State& state) {
+    const LocomotionGraph made = make_graph(static_cast<int>(state.range(0)));
+    frames_of(state, made, 104);
+}
+BENCHMARK(crowd_frame_by_joints)->ArgName("joints")->Arg(20)->Arg(40)->Arg(80)->Arg(120)->Arg(200);
 
 /// Multiply-adds in registers: what this machine does today, whatever it is.
 void calibrate(benchmark::State& state) {

@@ -74,8 +74,8 @@ inline PackedClip make_clip(const Skeleton& skeleton, std::uint64_t seed, Vec3 v
     return clip;
 }
 
-inline LocomotionGraph make_graph() {
-    const auto skeleton = make_skeleton();
+inline LocomotionGraph make_graph(int joints = k_joints) {
+    const auto skeleton = make_skeleton(joints);
     std::vector<PackedClip> clips;
     SpaceDefinition facing;
     facing.space.axes = {{"speed", "m/s", -1, 4}, {"turn", "deg/s", -90, 90}};
