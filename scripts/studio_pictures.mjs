@@ -14,6 +14,8 @@ const pictures = [
   { name: 'studio_terrain', viewport: desktop, colorScheme: 'light', settings: { course: 'stairs_up', camera: 'follow' } },
   { name: 'studio_terrain_dark', viewport: desktop, colorScheme: 'dark',
     settings: { course: 'hills', camera: 'feet', 'overlay.axes': true, 'overlay.hips': true } },
+  { name: 'studio_space', viewport: desktop, colorScheme: 'light', settings: { workspace: 'space' } },
+  { name: 'studio_space_dark', viewport: desktop, colorScheme: 'dark', settings: { workspace: 'space' } },
   { name: 'studio_phone', viewport: phone, colorScheme: 'light', settings: { course: 'rubble' } },
 ];
 

@@ -4,6 +4,7 @@
 // where the text is an error message.
 
 #include "scenario.h"
+#include "space_desk.h"
 #include "stage.h"
 
 #include <surefoot/analysis/analyze.h>
@@ -14,6 +15,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <map>
@@ -41,6 +43,7 @@ int guarded(const Body& body) {
 surefoot::BlendSpace g_space;
 std::map<std::string, std::string> g_files;
 std::unique_ptr<surefoot::wasm::Stage> g_stage;
+std::unique_ptr<surefoot::wasm::SpaceDesk> g_desk;
 
 /// Arrays that stay in the module's memory, for views upon them: sf_array.
 enum Array {
@@ -81,6 +84,19 @@ std::span<const std::byte> bytes_of(int array) {
         default:
             return {};
     }
+}
+
+/// Both anew, or after an error both as they were.
+std::string put_on_stage(surefoot::wasm::Opened opened) {
+    auto stage = std::make_unique<surefoot::wasm::Stage>(std::move(opened.character));
+    g_desk = std::make_unique<surefoot::wasm::SpaceDesk>(std::move(opened.project), std::move(opened.poses));
+    g_stage = std::move(stage);
+    return g_stage->describe();
+}
+
+surefoot::wasm::SpaceDesk& desk() {
+    if (!g_desk) throw surefoot::Error("there is no character yet", "", "open one first");
+    return *g_desk;
 }
 
 surefoot::wasm::Stage& stage() {
@@ -157,17 +173,13 @@ SUREFOOT_EXPORT(sf_open_project) int sf_open_project() {
     return guarded([] {
         const std::map<std::string, std::string> files = std::move(g_files);
         g_files.clear();
-        g_stage = std::make_unique<surefoot::wasm::Stage>(surefoot::wasm::project_character(files));
-        return g_stage->describe();
+        return put_on_stage(surefoot::wasm::open_project(files));
     });
 }
 
 /// The same with the character of the bundled gaits.
 SUREFOOT_EXPORT(sf_open_default) int sf_open_default() {
-    return guarded([] {
-        g_stage = std::make_unique<surefoot::wasm::Stage>(surefoot::wasm::default_character());
-        return g_stage->describe();
-    });
+    return guarded([] { return put_on_stage(surefoot::wasm::open_default()); });
 }
 
 /// Another course by name, from its start; `grade_deg` is the steepness of slopes.
@@ -206,6 +218,24 @@ SUREFOOT_EXPORT(sf_advance) void sf_advance(int frames, int parts) {
 /// Text: the figures of the last seconds (Stage::metrics).
 SUREFOOT_EXPORT(sf_metrics) int sf_metrics() {
     return guarded([] { return stage().metrics(); });
+}
+
+/// Text: the blend spaces of who is on the stage, and what is wrong with them (SpaceDesk::describe).
+SUREFOOT_EXPORT(sf_spaces) int sf_spaces() {
+    return guarded([] { return desk().describe(); });
+}
+
+/// Another threshold, "too-close.distance=6"; without text all back to the project's own. Text: the spaces anew.
+SUREFOOT_EXPORT(sf_threshold) int sf_threshold(const char* text, std::size_t size) {
+    return guarded([&] {
+        desk().set_threshold(std::string(text, size));
+        return desk().describe();
+    });
+}
+
+/// Text: which clips play at a place of a space, in axis units (SpaceDesk::weights).
+SUREFOOT_EXPORT(sf_blend) int sf_blend(int space, const float* at, int dimensions) {
+    return guarded([&] { return desk().weights(space, {at, static_cast<std::size_t>(std::max(dimensions, 0))}); });
 }
 
 /// Where an array begins and how many bytes it has; valid until the next call that opens, or changes the course.

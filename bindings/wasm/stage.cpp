@@ -4,6 +4,7 @@
 #include <surefoot/author/place.h>
 #include <surefoot/base/error.h>
 #include <surefoot/ground/shapes.h>
+#include <surefoot/io/load.h>
 #include <surefoot/mannequin/mannequin.h>
 #include <surefoot/math/trig.h>
 #include <surefoot/preset/default_set.h>
@@ -80,9 +81,9 @@ Json axes_of(const LocomotionSpace& space) {
 
 }  // namespace
 
-Character default_character() {
-    Project project;
-    project.name = "Default character";
+Opened open_default() {
+    Opened opened;
+    opened.project.name = "Default character";
     std::vector<AnalyzedClip> clips;
     for (Motion& motion : make_default_set().clips) {
         const std::string name = motion.name;
@@ -90,22 +91,33 @@ Character default_character() {
         ProjectClip clip;
         clip.name = name;
         clip.facts = clips.back().facts;
-        project.clips.push_back(std::move(clip));
+        opened.project.clips.push_back(std::move(clip));
+        opened.poses.push_back(make_pose_table(clips.back().motion, clips.back().facts, clips.back().roles.roles));
     }
     std::vector<std::string> warnings;
-    place_clips(project, {}, nullptr, warnings);
-    return bake_character(clips, project.spaces, project.name);
+    place_clips(opened.project, {}, nullptr, warnings);
+    opened.character = bake_character(clips, opened.project.spaces, opened.project.name);
+    return opened;
 }
 
-Character project_character(const std::map<std::string, std::string>& files) {
+Opened open_project(const std::map<std::string, std::string>& files) {
     const auto bytes_of = [&](const std::string& file) -> const std::string& {
         const auto found = files.find(file);
         if (found == files.end())
             throw Error("the file is missing", file, "choose the folder that 'surefoot author -o' wrote");
         return found->second;
     };
-    const Project project = parse_project(bytes_of("project.json"), "project.json");
-    return bake_character(project, bytes_of);
+    Opened opened;
+    opened.project = parse_project(bytes_of("project.json"), "project.json");
+    opened.character = bake_character(opened.project, bytes_of);
+    for (const ProjectClip& clip : opened.project.clips) {
+        opened.poses.emplace_back();
+        if (clip.excluded || files.count(clip.file) == 0) continue;
+        const std::vector<LoadedClip> loaded = read_clips(bytes_of(clip.file), clip.file);
+        if (!loaded.empty())
+            opened.poses.back() = make_pose_table(loaded.front().motion, clip.facts, opened.character.roles);
+    }
+    return opened;
 }
 
 Stage::Stage(Character character) : character_(std::move(character)) {

@@ -2,6 +2,7 @@
 // A character on a course for somebody to look at and to steer: what the studio's Terrain workspace shows. Plain C++
 // that a native build can run as well, so that a test can compare the two bit by bit.
 
+#include <surefoot/author/lint.h>
 #include <surefoot/bake/character.h>
 #include <surefoot/course/patrol.h>
 #include <surefoot/course/placed_walker.h>
@@ -17,11 +18,18 @@
 
 namespace surefoot::wasm {
 
-/// The character of the bundled gaits.
-Character default_character();
+/// A project with all that is made from it.
+struct Opened {
+    Project project;
+    std::vector<PoseTable> poses;  ///< of its clips, for lint
+    Character character;
+};
 
-/// The character of a project from the bytes of its files by name ("project.json", "clips/walk.glb"). Throws Error.
-Character project_character(const std::map<std::string, std::string>& files);
+/// The clips of the bundled gaits.
+Opened open_default();
+
+/// A project from the bytes of its files by name ("project.json", "clips/walk.glb"). Throws Error.
+Opened open_project(const std::map<std::string, std::string>& files);
 
 class Stage {
   public:

@@ -20,6 +20,9 @@ export interface Exports {
   sf_restart(): void;
   sf_advance(frames: number, parts: number): void;
   sf_metrics(): number;
+  sf_spaces(): number;
+  sf_threshold(text: number, size: number): number;
+  sf_blend(space: number, at: number, dimensions: number): number;
   sf_array(array: number): number;
   sf_array_bytes(array: number): number;
 }
@@ -103,6 +106,67 @@ export interface CharacterFacts {
   ankles: [number, number];
 }
 
+export interface SpaceAxis {
+  name: string;
+  unit: string;
+  low: number;
+  high: number;
+}
+
+export interface SpaceFacts {
+  /** "facing", "lateral", "style:…" */
+  name: string;
+  axes: SpaceAxis[];
+  /** One value an axis, in its unit. */
+  samples: { clip: string; at: number[] }[];
+  /** Corners: indices of samples. */
+  cells: number[][];
+}
+
+export interface LintThreshold {
+  name: string;
+  unit: string;
+  help: string;
+  initial: number;
+  value: number;
+}
+
+export interface LintRule {
+  id: string;
+  title: string;
+  help: string;
+  thresholds: LintThreshold[];
+}
+
+export interface Finding {
+  rule: string;
+  severity: 'error' | 'warning' | 'info';
+  message: string;
+  /** Empty where it is about a clip alone. */
+  space: string;
+  clips: string[];
+  /** Empty where there is no place. */
+  at: number[];
+}
+
+export interface Placeholder {
+  space: string;
+  /** Else suggested. */
+  needed: boolean;
+  axes: string[];
+  at: number[];
+  rule: string;
+  text: string;
+}
+
+export interface SpacesFacts {
+  spaces: SpaceFacts[];
+  rules: LintRule[];
+  /** Worst first. */
+  findings: Finding[];
+  placeholders: Placeholder[];
+}
+
 export interface Arrays {
   frame: Float32Array;
   positions: Float32Array;
@@ -135,6 +199,11 @@ export interface Surefoot {
   advance(frames: number, parts?: number): void;
   /** In order of CharacterFacts.figures; null before there are two seconds. */
   metrics(): FigureValue[] | null;
+  spaces(): SpacesFacts;
+  setThreshold(rule: string, threshold: string, value: number): SpacesFacts;
+  resetThresholds(): SpacesFacts;
+  /** Which clips play at a place of a space, heaviest first. */
+  blend(space: number, at: number[]): { clip: string; weight: number }[];
   array<Name extends keyof Arrays>(name: Name): Arrays[Name];
 }
 

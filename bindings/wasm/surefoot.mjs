@@ -141,6 +141,31 @@ class Surefoot {
     return JSON.parse(this.#text(this.#c.sf_metrics()));
   }
 
+  /** The blend spaces of who is on the stage, what is wrong with them, and what would mend it. */
+  spaces() {
+    return JSON.parse(this.#text(this.#c.sf_spaces()));
+  }
+
+  /** Another threshold of a rule, or all back to the project's own. */
+  setThreshold(rule, threshold, value) {
+    return this.#threshold(`${rule}.${threshold}=${value}`);
+  }
+
+  resetThresholds() {
+    return this.#threshold('');
+  }
+
+  /** Which clips play at a place of a space (an index into `spaces`), heaviest first. */
+  blend(space, at) {
+    const point = new Float32Array(at);
+    return this.#with([point], (place) => JSON.parse(this.#text(this.#c.sf_blend(space, place, point.length))));
+  }
+
+  #threshold(text) {
+    const bytes = new TextEncoder().encode(text);
+    return this.#with([bytes], (at) => JSON.parse(this.#text(this.#c.sf_threshold(at, bytes.length))));
+  }
+
   /** A view upon the module's memory: read it at once, the next call may move it. */
   array(name) {
     const index = Object.keys(k_arrays).indexOf(name), type = k_arrays[name];

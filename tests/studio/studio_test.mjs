@@ -302,6 +302,71 @@ await test('live figures: foot placement meets marks on stairs that walking with
   assert.ok(without > ours && without >= 2);
 });
 
+await test('blend space: the character goes as the puck says, and the weights are those of the place', async () => {
+  const { page, complaints } = await openPage(site.url);
+  await page.getByRole('tab', { name: 'Blend space' }).click();
+  await page.locator('.map .samples text').first().waitFor();
+  const box = await page.locator('.map svg').boundingBox();
+  await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.4 * box.height, { steps: 4 });
+  await page.mouse.up();
+  await page.waitForFunction(() => document.querySelectorAll('.weights li').length > 1);
+  const slider = page.getByRole('slider', { name: /Puck/ });
+  await slider.focus();
+  assert.ok(await page.evaluate(() => document.activeElement.closest('.map')), 'the puck takes the keyboard');
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('ArrowUp');
+  const words = await slider.getAttribute('aria-valuetext');
+  const [, speed, turn] = words.match(/^speed (-?[\d.]+) m\/s, turn (-?[\d.]+) deg\/s$/).map(Number);
+  assert.ok(speed > 1 && turn > 0, words);
+  const { time } = await state(page);
+  await untilState(page, 'time', '>', time + 3);
+  const now = await page.evaluate(() => {
+    const { session } = globalThis.studio, at = session.facts.value.layout;
+    return { speed: session.frame[at.speed], turn: session.frame[at.turn] };
+  });
+  assert.ok(Math.abs(now.speed - speed) < 0.1 && Math.abs(now.turn - turn) < 2, JSON.stringify({ now, words }));
+  const shares = await page.locator('.weights output').allTextContents();
+  assert.ok(Math.abs(shares.map((each) => parseFloat(each)).reduce((sum, each) => sum + each, 0) - 100) <= 2, `${shares}`);
+  await page.getByRole('tab', { name: 'Terrain' }).click();
+  await page.getByLabel('Walk over').waitFor();
+  const { root } = await state(page);
+  await untilState(page, 'speed', '>', 1);
+  assert.equal((await state(page)).steered, false, 'it patrols again');
+  assert.ok(root);
+  assert.deepEqual(complaints, []);
+});
+
+await test('blend space: findings are those of surefoot lint, and move with their thresholds', async () => {
+  const project = path.join(scratch, 'linted');
+  execFileSync(program, ['author', '--synthetic', '-o', project], { stdio: 'ignore' });
+  let text;
+  try {
+    text = execFileSync(program, ['lint', project, '--json'], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
+  } catch (error) {
+    text = error.stdout; // exit code 1: there are findings
+  }
+  const native = JSON.parse(text).findings.map(({ rule, message, clips }) => ({ rule, message, clips }));
+  const { page, complaints } = await openPage(site.url, { settings: { workspace: 'space' } });
+  await page.locator('input[type=file]').setInputFiles(project);
+  await page.getByText(/^linted, \d+ clips$/).waitFor();
+  const found = async () =>
+    page.evaluate(async () => (await globalThis.studio.engine.call('spaces')).findings.map(({ rule, message, clips }) => ({ rule, message, clips })));
+  assert.deepEqual(await found(), native);
+  const shown = () => page.locator('.findings li').count();
+  await page.waitForFunction(() => document.querySelector('.map .samples text'));
+  const before = await shown();
+  await page.getByLabel('Too close').fill('40');
+  await page.waitForFunction((count) => document.querySelectorAll('.findings li').length > count, before);
+  await page.locator('.findings button').first().click();
+  assert.ok((await page.locator('.findings p').textContent()).length > 40, 'it is explained');
+  await page.getByRole('button', { name: 'Reset' }).click();
+  await page.waitForFunction((count) => document.querySelectorAll('.findings li').length === count, before);
+  console.log(`    ${native.length} findings, ${before} of this space`);
+  assert.deepEqual(complaints, []);
+});
+
 await test('a folder without a project, and a broken one, are refused in words and the character walks on', async () => {
   const { page, complaints } = await openPage(site.url);
   const folder = path.join(scratch, 'broken');

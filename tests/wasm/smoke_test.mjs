@@ -12,6 +12,13 @@ const surefoot = await load(readFileSync(moduleFile));
 const nothing = new Proxy({}, { get: () => new Proxy({}, { get: () => () => 0, has: () => true }) });
 const { instance } = await WebAssembly.instantiate(readFileSync(moduleFile), nothing);
 
+const types = readFileSync(new URL('../../bindings/wasm/surefoot.d.mts', import.meta.url), 'utf8');
+/** The members that an interface of it declares. */
+function keys(name) {
+  const body = types.match(new RegExp(`export interface ${name} \\{\n([^]*?)\n\\}`))[1];
+  return [...body.matchAll(/^  (\w+):/gm)].map((match) => match[1]).sort();
+}
+
 let passed = 0;
 function test(name, body) {
   body();
@@ -53,7 +60,6 @@ test('memory grows and is given back', () => {
 });
 
 test('the module exports what surefoot.d.mts declares, with as many parameters', () => {
-  const types = readFileSync(new URL('../../bindings/wasm/surefoot.d.mts', import.meta.url), 'utf8');
   const declared = new Map();
   for (const [, name, parameters] of types.matchAll(/^  (sf_\w+)\((.*)\): \w+;$/gm))
     declared.set(name, parameters === '' ? 0 : parameters.split(',').length);
@@ -95,12 +101,7 @@ test('a steered walk has the same bits as natively, frame by frame', () => {
 });
 
 test('what a character is has all that surefoot.d.mts declares, and its mesh is sound', () => {
-  const types = readFileSync(new URL('../../bindings/wasm/surefoot.d.mts', import.meta.url), 'utf8');
   const facts = surefoot.openDefault();
-  const keys = (name) => {
-    const body = types.match(new RegExp(`export interface ${name} \\{\n([^]*?)\n\\}`))[1];
-    return [...body.matchAll(/^  (\w+):/gm)].map((match) => match[1]).sort();
-  };
   assert.deepEqual(Object.keys(facts).sort(), keys('CharacterFacts'));
   assert.deepEqual(Object.keys(facts.layout).sort(), keys('FrameLayout'));
   const joints = facts.joints.length, vertices = surefoot.array('positions').length / 3;
@@ -110,6 +111,23 @@ test('what a character is has all that surefoot.d.mts declares, and its mesh is 
   assert.ok(surefoot.array('triangles').every((corner) => corner < vertices));
   assert.ok(surefoot.array('joints').every((joint) => joint < joints));
   assert.ok(surefoot.array('terrain').length > 0 && surefoot.array('terrainTriangles').length % 3 === 0);
+});
+
+test('blend spaces, findings under another threshold, and weights are the same text as natively', () => {
+  surefoot.openDefault();
+  const before = surefoot.spaces();
+  const after = surefoot.setThreshold('too-close', 'distance', 20);
+  const native = twin('spaces').split('\n');
+  assert.deepEqual(after, JSON.parse(native[0]));
+  assert.deepEqual(surefoot.blend(0, [1, 20]), JSON.parse(native[1]));
+  assert.ok(after.findings.length > before.findings.length, 'a wider threshold finds more');
+  assert.deepEqual(surefoot.resetThresholds(), before);
+  assert.throws(() => surefoot.setThreshold('too-close', 'nonsense', 1), /too-close/);
+  assert.throws(() => surefoot.blend(9, [0]), /no such blend space/);
+  const sum = surefoot.blend(0, [1.2, -30]).reduce((total, each) => total + each.weight, 0);
+  assert.ok(Math.abs(sum - 1) < 1e-6);
+  const names = { SpacesFacts: after, SpaceFacts: after.spaces[0], LintRule: after.rules[0], Finding: after.findings[0] };
+  for (const [name, value] of Object.entries(names)) assert.deepEqual(Object.keys(value).sort(), keys(name), name);
 });
 
 test('figures come after two seconds, and errors leave the stage as it was', () => {

@@ -2,6 +2,7 @@
 // scenarios, or the BVH text or the facts of the example clip.
 
 #include <bindings/wasm/scenario.h>
+#include <bindings/wasm/space_desk.h>
 #include <bindings/wasm/stage.h>
 
 #include <surefoot/analysis/analyze.h>
@@ -15,7 +16,7 @@
 
 /// The frames of a stage as bytes, one after the other: as tests/studio and smoke_test.mjs play it.
 void write_stage() {
-    surefoot::wasm::Stage stage(surefoot::wasm::default_character());
+    surefoot::wasm::Stage stage(surefoot::wasm::open_default().character);
     const auto play = [&](int frames, int parts) {
         for (int f = 0; f < frames; ++f) {
             stage.advance(1, parts);
@@ -34,7 +35,16 @@ void write_stage() {
     play(60, 1);
 }
 
-// wasm_twin scenarios | bvh | facts (the facts of the clip that `bvh` prints) | stage
+/// The spaces of the default character, and the weights at one place of the first.
+void write_spaces() {
+    surefoot::wasm::Opened opened = surefoot::wasm::open_default();
+    surefoot::wasm::SpaceDesk desk(std::move(opened.project), std::move(opened.poses));
+    desk.set_threshold("too-close.distance=20");
+    const float at[] = {1.0f, 20.0f};
+    std::printf("%s\n%s\n", desk.describe().c_str(), desk.weights(0, at).c_str());
+}
+
+// wasm_twin scenarios | bvh | facts (the facts of the clip that `bvh` prints) | stage | spaces
 int main(int argc, char** argv) {
     const char* what = argc > 1 ? argv[1] : "scenarios";
     if (std::strcmp(what, "scenarios") == 0) {
@@ -43,6 +53,10 @@ int main(int argc, char** argv) {
     }
     if (std::strcmp(what, "stage") == 0) {
         write_stage();
+        return 0;
+    }
+    if (std::strcmp(what, "spaces") == 0) {
+        write_spaces();
         return 0;
     }
     const std::string bvh = surefoot::wasm::example_bvh();

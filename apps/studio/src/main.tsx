@@ -1,15 +1,16 @@
 import { render } from 'preact';
 import { useRef } from 'preact/hooks';
-import { effect, signal } from '@preact/signals';
+import { effect, signal, untracked } from '@preact/signals';
 import './style.css';
 import * as session from './session';
 import { listen } from './input';
 import { openDropped, openFirst, openFolder } from './project';
-import { theme, type Theme } from './settings';
+import { course, gradeDeg, theme, workspace, type Theme, type Workspace } from './settings';
 import { isDark } from './view/theme';
 import { ProblemCard } from './ui/problem';
 import { Timeline } from './ui/timeline';
 import { Viewport } from './ui/viewport';
+import { loadSpaces, SpaceMap, SpacePanel } from './workspaces/space';
 import { TerrainPanel } from './workspaces/terrain';
 
 const panelOpen = signal(matchMedia('(min-width: 1000px)').matches);
@@ -42,11 +43,27 @@ function OpenButton() {
   );
 }
 
+const k_workspaces: { value: Workspace; label: string }[] = [
+  { value: 'space', label: 'Blend space' },
+  { value: 'terrain', label: 'Terrain' },
+];
+
+/** Arrow keys go from tab to tab, as everywhere. */
+function moveTab(event: KeyboardEvent): void {
+  const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
+  if (step === 0) return;
+  event.preventDefault();
+  const now = k_workspaces.findIndex((each) => each.value === workspace.value);
+  const next = k_workspaces[(now + step + k_workspaces.length) % k_workspaces.length]!;
+  workspace.value = next.value;
+  document.getElementById(`tab-${next.value}`)?.focus();
+}
+
 function Studio() {
   const known = session.facts.value;
   return (
     <div
-      class={panelOpen.value ? 'studio' : 'studio narrow'}
+      class={`studio ${workspace.value}${panelOpen.value ? '' : ' narrow'}`}
       onDragOver={(event) => event.preventDefault()}
       onDrop={(event) => {
         event.preventDefault();
@@ -59,9 +76,21 @@ function Studio() {
           Surefoot
         </h1>
         <div role="tablist" aria-label="Workspaces">
-          <button type="button" role="tab" id="tab-terrain" aria-selected="true" aria-controls="panel">
-            Terrain
-          </button>
+          {k_workspaces.map(({ value, label }) => (
+            <button
+              key={value}
+              type="button"
+              role="tab"
+              id={`tab-${value}`}
+              aria-selected={workspace.value === value}
+              aria-controls="panel"
+              tabIndex={workspace.value === value ? 0 : -1}
+              onClick={() => (workspace.value = value)}
+              onKeyDown={moveTab}
+            >
+              {label}
+            </button>
+          ))}
         </div>
         <p class="character">{known ? `${known.name}, ${known.clips} clips` : 'Starting the engine…'}</p>
         <OpenButton />
@@ -72,9 +101,12 @@ function Studio() {
           <svg viewBox="0 0 20 20" aria-hidden="true"><path d="M3 4h14v12H3zM4.500 5.500v9h6.500v-9z" fill-rule="evenodd" /></svg>
         </button>
       </header>
-      <Viewport />
-      <div class="panel" id="panel" role="tabpanel" aria-labelledby="tab-terrain" hidden={!panelOpen.value}>
-        <TerrainPanel />
+      <main>
+        {workspace.value === 'space' && <SpaceMap />}
+        <Viewport />
+      </main>
+      <div class="panel" id="panel" role="tabpanel" aria-labelledby={`tab-${workspace.value}`} hidden={!panelOpen.value}>
+        {workspace.value === 'terrain' ? <TerrainPanel /> : <SpacePanel />}
       </div>
       <Timeline />
       <ProblemCard />
@@ -84,6 +116,20 @@ function Studio() {
 
 effect(() => {
   document.documentElement.dataset['theme'] = isDark.value ? 'dark' : 'light';
+});
+// The blend space is shown on flat ground, where the puck alone says how it goes.
+effect(() => {
+  const where = workspace.value, known = session.facts.value;
+  if (!known) return;
+  untracked(() => {
+    if (where === 'space') {
+      void session.showCourse('flat', gradeDeg.value);
+      void loadSpaces();
+    } else {
+      session.hold(null);
+      if (session.shownCourse() !== course.value) void session.showCourse(course.value, gradeDeg.value);
+    }
+  });
 });
 listen();
 const app = document.getElementById('app')!;

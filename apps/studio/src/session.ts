@@ -1,5 +1,5 @@
 // The one character on the one stage, and the clock that makes it move.
-import { batch, effect, signal } from '@preact/signals';
+import { batch, signal } from '@preact/signals';
 import { EngineClient } from './engine/engine';
 import type { CharacterFacts, CharacterMesh, FigureValue, FootMode, Steering, TerrainMesh } from './engine/messages';
 import { course, gradeDeg, mode, patrolSpeed, slowness } from './settings';
@@ -60,6 +60,7 @@ async function stage(opened: Promise<{ facts: CharacterFacts; mesh: CharacterMes
   if (!character.facts.courses.includes(course.value)) course.value = 'hills';
   await engine.call('setMode', mode.value);
   const ground = await engine.call('setCourse', course.value, gradeDeg.value);
+  shown = course.value;
   batch(() => {
     facts.value = character.facts;
     mesh.value = character.mesh;
@@ -74,18 +75,29 @@ export const openDefault = () => stage(engine.call('openDefault'));
 export const openProject = (files: [string, Uint8Array][]) => stage(engine.call('openProject', files));
 
 export async function setCourse(name: string, grade: number): Promise<void> {
+  if (!(await showCourse(name, grade))) return;
+  course.value = name;
+  gradeDeg.value = grade;
+}
+
+let shown = '';
+export const shownCourse = () => shown;
+
+/** Walks another course for now; what the user chose stays chosen. */
+export async function showCourse(name: string, grade: number): Promise<boolean> {
   try {
     const ground = await engine.call('setCourse', name, grade);
+    shown = name;
     batch(() => {
-      course.value = name;
-      gradeDeg.value = grade;
       terrain.value = ground;
       figures.value = null;
     });
     history.clear();
     await step(0);
+    return true;
   } catch (error) {
     fail('This course cannot be walked', error);
+    return false;
   }
 }
 
@@ -103,13 +115,19 @@ export async function restart(): Promise<void> {
 }
 
 let asked: Steering = { patrol: patrolSpeed.value };
+/** What is asked for while nobody steers: that of a puck; null: it patrols, or stands. */
+let held: { speed: number; lateral: number; turn: number } | null = null;
+
+export function hold(request: { speed: number; lateral: number; turn: number } | null): void {
+  held = request;
+}
 
 /** What somebody asks for now; null: nobody does. */
 export function steer(request: { speed: number; lateral: number; turn: number } | null): void {
   if (request) {
     asked = request;
     steered.value = true;
-  } else asked = steered.value ? { speed: 0, lateral: 0, turn: 0 } : { patrol: patrolSpeed.value };
+  } else asked = held ?? (steered.value ? { speed: 0, lateral: 0, turn: 0 } : { patrol: patrolSpeed.value });
 }
 
 function take(arrived: Float32Array): void {
@@ -149,8 +167,7 @@ export function tick(seconds: number): void {
 async function measure(): Promise<void> {
   measuring = true;
   try {
-    const now = await engine.call('metrics');
-    if (now) figures.value = now;
+    figures.value = await engine.call('metrics');
   } catch (error) {
     fail('The walk could not be measured', error);
   }
@@ -171,7 +188,3 @@ export async function boot(open: () => Promise<void>): Promise<void> {
   await open();
 }
 
-effect(() => {
-  const speed = patrolSpeed.value;
-  if (!steered.value) asked = { patrol: speed };
-});

@@ -30,9 +30,11 @@ const isNumberIn = (low: number, high: number) => (value: unknown) =>
   typeof value === 'number' && value >= low && value <= high;
 
 export type Theme = 'system' | 'light' | 'dark';
+export type Workspace = 'terrain' | 'space';
 export type CameraView = 'follow' | 'side' | 'front' | 'feet';
 export const k_rates = [1, 2, 4, 10] as const;
 
+export const workspace = kept<Workspace>('workspace', 'terrain', isOneOf('terrain', 'space'));
 export const theme = kept<Theme>('theme', 'system', isOneOf('system', 'light', 'dark'));
 export const course = kept<string>('course', 'hills', (value) => typeof value === 'string');
 export const gradeDeg = kept<number>('grade', 15, isNumberIn(0, 45));

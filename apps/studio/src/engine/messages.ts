@@ -1,7 +1,9 @@
 // What the page and the engine's worker say to each other.
-import type { CharacterFacts, FigureValue, FootMode, Surefoot } from '@bindings/surefoot.mjs';
+import type { CharacterFacts, FigureValue, FootMode, SpacesFacts } from '@bindings/surefoot.mjs';
 
-export type { CharacterFacts, Figure, FigureValue, FootMode, FrameLayout } from '@bindings/surefoot.mjs';
+export type {
+  CharacterFacts, Figure, FigureValue, Finding, FootMode, FrameLayout, SpaceFacts, SpacesFacts,
+} from '@bindings/surefoot.mjs';
 
 /** Who steers: a patrol up and down the course, or somebody. m/s and deg/s, to the left positive. */
 export type Steering = { patrol: number } | { speed: number; lateral: number; turn: number };
@@ -30,6 +32,10 @@ export interface Calls {
   restart(): void;
   metrics(): FigureValue[] | null;
   scenarios(): string;
+  spaces(): SpacesFacts;
+  setThreshold(rule: string, threshold: string, value: number): SpacesFacts;
+  resetThresholds(): SpacesFacts;
+  blend(space: number, at: number[]): { clip: string; weight: number }[];
 }
 
 export type CallName = keyof Calls;
@@ -43,5 +49,3 @@ export type FromWorker =
   | { kind: 'answer'; id: number; result: unknown }
   | { kind: 'failure'; id: number; message: string }
   | { kind: 'frame'; buffer: ArrayBuffer };
-
-export type Engine = Surefoot;

@@ -40,6 +40,10 @@ const calls: { [Name in keyof Calls]: (...args: Parameters<Calls[Name]>) => Retu
   restart: () => running().restart(),
   metrics: () => running().metrics(),
   scenarios: () => running().scenarios(),
+  spaces: () => running().spaces(),
+  setThreshold: (rule, threshold, value) => running().setThreshold(rule, threshold, value),
+  resetThresholds: () => running().resetThresholds(),
+  blend: (space, at) => running().blend(space, at),
 };
 
 const post = (message: FromWorker, transfer: Transferable[] = []) =>

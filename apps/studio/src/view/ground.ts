@@ -1,5 +1,5 @@
 // The course: lit facet by facet, with a line every metre so that one sees it pass.
-import { BufferAttribute, BufferGeometry, Color, Mesh, MeshStandardMaterial } from 'three';
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshStandardMaterial } from 'three';
 import type { TerrainMesh } from '../engine/messages';
 import type { Palette } from './theme';
 
@@ -24,7 +24,7 @@ export class GroundView {
   readonly #line = { value: new Color() };
 
   constructor() {
-    const material = new MeshStandardMaterial({ roughness: 0.95, flatShading: true });
+    const material = new MeshStandardMaterial({ roughness: 0.95, flatShading: true, side: DoubleSide }); // courses show their sides from both
     material.onBeforeCompile = (shader) => {
       shader.uniforms['uLine'] = this.#line;
       shader.vertexShader = shader.vertexShader
