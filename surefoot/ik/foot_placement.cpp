@@ -1,6 +1,6 @@
-#include <surefoot/ik/colvin_trace.h>
 #include <surefoot/ik/foot_forecast.h>
 #include <surefoot/ik/pace.h>
+#include <surefoot/ik/placing.h>
 #include <surefoot/ik/ride.h>
 #include <surefoot/ik/two_bone.h>
 #include <surefoot/math/trig.h>
@@ -20,89 +20,11 @@ constexpr float k_rest_stiffness = 14;                 // [1/s]
 constexpr float k_hold = 12;                           // [1/s]
 constexpr float k_spring_step = 1.0f / 60;             // [s] the forecast's step: longer frames are cut into such
 
-GroundProbe probe_for(const FootRig& rig, const FootInput& input, const Ground& ground) noexcept {
-    GroundProbe probe{ground, input.root.position.y, rig.settings.ground_up, rig.settings.ground_down,
-                      input.root.position.y};
-    probe.fallback = probe.height(input.root.position.x, input.root.position.z);
-    return probe;
-}
-
-/// New local rotations from world rotations to put before the animated ones.
-FootOutput::LegRotations to_locals(const WorldLeg& leg, Quat upper, Quat lower, Quat foot, Quat toes) noexcept {
-    return {normalized(conjugate(leg.upper_parent) * upper * leg.upper),
-            normalized(conjugate(upper * leg.lower_parent) * lower * leg.lower),
-            normalized(conjugate(lower * leg.foot_parent) * foot * leg.foot),
-            normalized(conjugate(foot * leg.toes_parent) * toes * leg.toes)};
-}
-
-Vec3 world_knee_forward(const FootRig& rig, std::size_t side, const WorldLeg& leg) noexcept {
-    return rotate(leg.upper, rig.knee_forward[side]);
-}
-
 // --- mode none
 
 void place_root(const FootInput& input, const GroundProbe& probe, FootOutput& output) noexcept {
     output = {};
     output.hips_offset = probe.fallback - input.root.position.y;
-}
-
-// --- mode colvin2013
-
-/// The side of the thigh to which the knee bends, perpendicular to it.
-Vec3 thigh_forward(const FootRig& rig, std::size_t side, const WorldLeg& leg) noexcept {
-    const LegPoints& p = leg.points;
-    const Vec3 thigh = normalized(p.knee - p.hip), off = p.knee - p.ankle;
-    const Vec3 bend = off - thigh * dot(off, thigh), hint = world_knee_forward(rig, side, leg);
-    return length(bend) > 0.02f * length(off) ? normalized(bend)
-                                              : normalized(hint - thigh * dot(hint, thigh), {0, 0, 1});
-}
-
-using WorldLegs = std::array<WorldLeg, 2>;
-
-WorldLegs world_legs(const FootRig& rig, const FootInput& input) noexcept {
-    return {world_leg(rig.legs.side[0], input.legs.side[0], input.root),
-            world_leg(rig.legs.side[1], input.legs.side[1], input.root)};
-}
-
-ColvinFrame colvin_frame(const FootRig& rig, const FootInput& input, const GroundProbe& probe,
-                         const WorldLegs& legs) noexcept {
-    ColvinFrame frame;
-    frame.ground = probe.fallback;  // the root stands on the ground under it
-    for (std::size_t side = 0; side < 2; ++side) {
-        const LegPoints& p = legs[side].points;
-        // Step 1: ground under the animated foot, plus the animated foot's own height.
-        frame.legs[side].target = {p.ankle.x, probe.height(p.ankle.x, p.ankle.z) + p.ankle.y, p.ankle.z};
-        // Step 2: where thigh and calf cannot reach, the root sinks.
-        const float reach = distance(p.hip, p.knee) + distance(p.knee, p.ankle);
-        frame.lowered = std::min(frame.lowered,
-                                 colvin_step2_lower_root(p.hip + k_up * frame.ground, frame.legs[side].target, reach));
-    }
-    const Vec3 lift = k_up * (frame.ground + frame.lowered);
-    for (std::size_t side = 0; side < 2; ++side) {
-        const LegPoints& p = legs[side].points;
-        ColvinInput& in = frame.legs[side];
-        in.hip = p.hip + lift;
-        in.knee = p.knee + lift;
-        in.ankle = p.ankle + lift;
-        in.forward = rotate(from_yaw(input.root.yaw), {0, 0, 1});
-        in.upper_forward = thigh_forward(rig, side, legs[side]);
-    }
-    return frame;
-}
-
-void place_colvin(const FootRig& rig, const FootInput& input, const GroundProbe& probe, FootOutput& output) noexcept {
-    const WorldLegs legs = world_legs(rig, input);
-    const ColvinFrame frame = colvin_frame(rig, input, probe, legs);
-    output = {};
-    output.moves_legs = true;
-    output.hips_offset = frame.ground + frame.lowered - input.root.position.y;
-    for (std::size_t side = 0; side < 2; ++side) {
-        const TwoBoneResult solved = solve_colvin(frame.legs[side]);
-        // The foot keeps its rotation relative to the calf: the paper turns thigh and calf only.
-        output.leg[side] = to_locals(legs[side], solved.upper, solved.lower, solved.lower, solved.lower);
-        output.pulled_in[side] = solved.pulled_in;
-        output.planted[side] = false;
-    }
 }
 
 // --- mode surefoot
@@ -230,6 +152,25 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
 
 }  // namespace
 
+GroundProbe probe_for(const FootRig& rig, const FootInput& input, const Ground& ground) noexcept {
+    GroundProbe probe{ground, input.root.position.y, rig.settings.ground_up, rig.settings.ground_down,
+                      input.root.position.y};
+    probe.fallback = probe.height(input.root.position.x, input.root.position.z);
+    return probe;
+}
+
+/// New local rotations from world rotations to put before the animated ones.
+FootOutput::LegRotations to_locals(const WorldLeg& leg, Quat upper, Quat lower, Quat foot, Quat toes) noexcept {
+    return {normalized(conjugate(leg.upper_parent) * upper * leg.upper),
+            normalized(conjugate(upper * leg.lower_parent) * lower * leg.lower),
+            normalized(conjugate(lower * leg.foot_parent) * foot * leg.foot),
+            normalized(conjugate(foot * leg.toes_parent) * toes * leg.toes)};
+}
+
+Vec3 world_knee_forward(const FootRig& rig, std::size_t side, const WorldLeg& leg) noexcept {
+    return rotate(leg.upper, rig.knee_forward[side]);
+}
+
 const char* foot_mode_name(FootMode mode) noexcept {
     switch (mode) {
         case FootMode::none:
@@ -316,10 +257,6 @@ void fade(const FootRig& rig, const FootInput& input, float weight, FootOutput& 
 }
 
 }  // namespace
-
-ColvinFrame colvin_frame(const FootRig& rig, const FootInput& input, const Ground& ground) noexcept {
-    return colvin_frame(rig, input, probe_for(rig, input, ground), world_legs(rig, input));
-}
 
 void place_feet(const FootRig& rig, FootPlacementState& state, const FootInput& input, const Ground& ground,
                 const LegPreview* preview, FootOutput& output) noexcept {
