@@ -40,8 +40,8 @@ struct HeightSpring {
 class HipLimiter {
   public:
     static constexpr int k_rate = 30;   ///< [1/s] slots a second
-    static constexpr int k_half = 5;    ///< slots from the middle of the window to its end: +- 0.167 s
-    static constexpr int k_slots = 48;  ///< ring: 10 past, 37 to come
+    static constexpr int k_half = 7;    ///< slots from the middle of the window to its end: +- 0.233 s
+    static constexpr int k_slots = 60;  ///< ring: 14 past, 37 to come, and some
     static constexpr int k_past = 2 * k_half;
 
     /// As though the shortfall had always been this.
