@@ -33,6 +33,13 @@ Series rate(const Series& x, double fps) {
 struct Velocity {
     Series x, y, z;
     double level(std::size_t i) const { return std::sqrt(x[i] * x[i] + z[i] * z[i]); }
+    /// Of what is perpendicular to `normal`.
+    double along(std::size_t i, Vec3 normal) const {
+        const double n[]{static_cast<double>(normal.x), static_cast<double>(normal.y), static_cast<double>(normal.z)};
+        const double off = x[i] * n[0] + y[i] * n[1] + z[i] * n[2];
+        const double u = x[i] - off * n[0], v = y[i] - off * n[1], w = z[i] - off * n[2];
+        return std::sqrt(u * u + v * v + w * w);
+    }
     double full(std::size_t i) const { return std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]); }
 };
 
@@ -121,9 +128,9 @@ std::vector<bool> planted_frames(const WalkTrack& twin, std::size_t side, std::s
 }
 
 SkateFigures measure_skate(const WalkTrack& walked, const WalkTrack& twin, FrameRange range,
-                           const std::function<float(Vec3)>& ground) {
+                           const std::function<UnderFoot(Vec3)>& ground) {
     SkateFigures figures;
-    double speed = 0, weighted = 0;
+    double speed = 0, level = 0, weighted = 0;
     Mask standing(walked.frames.size()), skating(walked.frames.size());
     const auto fps = static_cast<double>(walked.fps);
     for (std::size_t side = 0; side < 2; ++side)
@@ -133,13 +140,15 @@ SkateFigures measure_skate(const WalkTrack& walked, const WalkTrack& twin, Frame
             for (std::size_t i = range.first; i < range.end; ++i) {
                 if (!mask[i]) continue;
                 const Vec3 p = walked.frames[i].legs[side].sole[point];
-                const double above = static_cast<double>(p.y - (ground ? ground(p) : 0.0f));
+                const UnderFoot under = ground ? ground(p) : UnderFoot{};
+                const double above = static_cast<double>(p.y - under.height), slide = v.along(i, under.normal);
                 const double share = std::clamp(above / k_skate_height, 0.0, 1.0);
                 ++figures.planted_samples;
-                speed += v.level(i) * k_cm;
-                weighted += v.level(i) / fps * k_cm * (2 - exp(share * 0.6931471805599453));  // 2^x = e^(x ln 2)
+                speed += slide * k_cm;
+                level += v.level(i) * k_cm;
+                weighted += slide / fps * k_cm * (2 - exp(share * 0.6931471805599453));  // 2^x = e^(x ln 2)
                 standing[i] = true;
-                if (v.level(i) > k_skating_speed) skating[i] = true;
+                if (slide > k_skating_speed) skating[i] = true;
             }
         }
     figures.standing = static_cast<std::size_t>(std::count(standing.begin(), standing.end(), true));
@@ -147,6 +156,7 @@ SkateFigures measure_skate(const WalkTrack& walked, const WalkTrack& twin, Frame
     constexpr double k_not_measured = std::numeric_limits<double>::quiet_NaN();
     const double count = figures.planted_samples > 0 ? figures.planted_samples : k_not_measured;
     figures.mean_cm_s = speed / count;
+    figures.level_cm_s = level / count;
     figures.weighted_cm = weighted / count;
     figures.share = static_cast<double>(std::count(skating.begin(), skating.end(), true)) /
                     (figures.standing > 0 ? static_cast<double>(figures.standing) : k_not_measured);

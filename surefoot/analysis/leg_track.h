@@ -50,19 +50,28 @@ struct FrameRange {
 /// percentile of height and slower than 0.25 m/s.
 std::vector<bool> planted_frames(const WalkTrack& twin, std::size_t side, std::size_t point);
 
-/// NaN where no point is planted.
+/// The ground under a sole point.
+struct UnderFoot {
+    float height = 0;  ///< [m]
+    Vec3 normal{0, 1, 0};
+};
+
+/// Speeds are along the ground: what goes along its normal lifts off, or sinks in, and does not slide. (A heel that
+/// peels off a slope as it does off the level moves sideways by the slope's sine of it, without skating.) NaN where no
+/// point is planted.
 struct SkateFigures {
-    double mean_cm_s = 0;      ///< mean horizontal speed of planted sole points
+    double mean_cm_s = 0;      ///< mean speed of planted sole points along the ground
+    double level_cm_s = 0;     ///< mean level speed of the same: on flat ground the same figure
     double share = 0;          ///< share of standing frames in which a planted point moves faster than 10 cm/s
     double weighted_cm = 0;    ///< mean of displacement a frame * (2 - 2^(h/H)), H = 2.5 cm (Zhang et al. 2018)
     int planted_samples = 0;   ///< points times frames; 0 means that nothing was measured
     std::size_t standing = 0;  ///< frames in which some point is planted
 };
 
-/// Skate of `walked` where `twin` (of the same frames, or the same track) is planted. `ground` gives its height under a
-/// point; none: 0 everywhere.
+/// Skate of `walked` where `twin` (of the same frames, or the same track) is planted. `ground` tells what is under
+/// a point; none: level ground at 0.
 SkateFigures measure_skate(const WalkTrack& walked, const WalkTrack& twin, FrameRange range,
-                           const std::function<float(Vec3)>& ground = {});
+                           const std::function<UnderFoot(Vec3)>& ground = {});
 
 /// Interior angle of the knee, degrees: 180 is a straight leg.
 double knee_angle(const LegTrack& leg);

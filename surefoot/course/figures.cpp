@@ -25,6 +25,8 @@ constexpr WalkFigure k_figures[] = {
     {"skate_cm_s", "skate", "cm/s", 2, 1, [](const Walk& w) { return w.metrics.skate_cm_s; },
      "at most 0.5 above the flat twin's own",
      [](const Walk& w) { return w.metrics.skate_cm_s - w.twin.skate_cm_s <= 0.5; }},
+    {"skate_level_cm_s", "level", "cm/s", 2, 1, [](const Walk& w) { return w.metrics.skate_level_cm_s; }, nullptr,
+     nullptr},
     {"twin_skate_cm_s", "twin skate", "cm/s", 2, 1, [](const Walk& w) { return w.twin.skate_cm_s; }, nullptr, nullptr},
     {"skate_share", "skating", "%", 1, k_percent, [](const Walk& w) { return w.metrics.skate_share; }, nullptr,
      nullptr},
@@ -83,6 +85,13 @@ std::string WalkFigure::text(const MeasuredWalk& walk) const {
     return std::isfinite(shown) ? fmt::format("{:.{}f}", shown, decimals) : "–";
 }
 
+bool WalkFigure::missed_by_clip(const MeasuredWalk& walk) const {
+    MeasuredWalk clip = walk;
+    clip.metrics = walk.own;
+    clip.flat_change_mm = 0;
+    return missed(clip);
+}
+
 std::span<const WalkFigure> walk_figures() { return k_figures; }
 
 int missed_marks(const MeasuredWalk& walk) {
@@ -91,16 +100,23 @@ int missed_marks(const MeasuredWalk& walk) {
 }
 
 std::vector<CourseMisses> misses_by_course(std::span<const MeasuredWalk> rows) {
+    const std::vector<int> none(std::size(k_figures));
     std::vector<CourseMisses> courses;
     for (const MeasuredWalk& row : rows) {
         if (!row.judged) continue;
         auto at = std::find_if(courses.begin(), courses.end(),
                                [&](const CourseMisses& each) { return each.course == row.info.course; });
-        if (at == courses.end())
-            at = courses.insert(at, {row.info.course, 0, 0, std::vector<int>(std::size(k_figures))});
+        if (at == courses.end()) at = courses.insert(at, {row.info.course, 0, 0, 0, none, none});
         ++at->walks;
+        int own = 0;
+        for (std::size_t i = 0; i < std::size(k_figures); ++i) {
+            const bool missed = k_figures[i].missed(row), by_clip = missed && k_figures[i].missed_by_clip(row);
+            at->misses[i] += missed;
+            at->clips[i] += by_clip;
+            own += by_clip;
+        }
         at->perfect += missed_marks(row) == 0;
-        for (std::size_t i = 0; i < std::size(k_figures); ++i) at->misses[i] += k_figures[i].missed(row);
+        at->as_clip += missed_marks(row) == own;
     }
     return courses;
 }
@@ -111,7 +127,12 @@ std::vector<MeasuredWalk> measured_walks(const WalkInfo& info, const WalkCompari
     std::vector<MeasuredWalk> rows;
     for (const FootMode mode : modes) {
         const auto i = static_cast<std::size_t>(mode);
-        MeasuredWalk row{info, mode, walks.metrics[i], walks.twin_figures};
+        MeasuredWalk row;
+        row.info = info;
+        row.mode = mode;
+        row.metrics = walks.metrics[i];
+        row.twin = walks.twin_figures;
+        row.own = walks.twin_metrics;
         row.judged = mode == FootMode::surefoot || !surefoot_walked;
         if (info.course == "flat")
             row.flat_change_mm =

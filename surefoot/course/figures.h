@@ -35,6 +35,7 @@ struct MeasuredWalk {
     bool judged = true;  ///< false: shown to compare, its misses are its own
     /// On course flat: how far any joint is from where the twin has it [mm]; elsewhere not a number.
     double flat_change_mm = std::numeric_limits<double>::quiet_NaN();
+    WalkMetrics own;  ///< of the flat twin, as a walk: what it misses is the clip's, not foot placement's
 };
 
 /// A column of the table.
@@ -51,6 +52,8 @@ struct WalkFigure {
     bool (*met)(const MeasuredWalk&);
 
     bool missed(const MeasuredWalk& walk) const { return met != nullptr && !met(walk); }
+    /// The un-placed twin misses it, too, on flat ground.
+    bool missed_by_clip(const MeasuredWalk& walk) const;
     /// The value as shown; "–" for what is no number.
     std::string text(const MeasuredWalk& walk) const;
 };
@@ -65,7 +68,9 @@ int missed_marks(const MeasuredWalk& walk);
 struct CourseMisses {
     std::string course;
     int walks = 0, perfect = 0;  ///< judged, and those of them that meet every mark
+    int as_clip = 0;             ///< those that miss none but what the clip itself misses on flat ground
     std::vector<int> misses;     ///< by walk_figures()
+    std::vector<int> clips;      ///< those of them that the clip itself misses
 };
 /// Courses in the order in which they come.
 std::vector<CourseMisses> misses_by_course(std::span<const MeasuredWalk> rows);

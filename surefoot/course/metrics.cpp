@@ -24,17 +24,34 @@ float ground_height(const Ground& ground, Vec3 p, Vec3* normal = nullptr) {
     return hit.hit ? hit.height : -1e6f;  // no ground: free space
 }
 
+/// Height of the ground that a sole point stands on. A sole is no set of points: where one hangs over an edge, or is
+/// cut by one, by a centimetre, the foot stands on that side of it which is nearer to its own height.
+float standing_height(const Ground& ground, Vec3 p) {
+    constexpr float k_beside = 0.015f, k_edge = 0.02f;  // [m] how near an edge counts, and from which height
+    constexpr int k_directions = 8;
+    const float under = ground_height(ground, p);
+    float nearest = under;
+    for (int d = 0; d < k_directions; ++d) {
+        const float angle = static_cast<float>(2 * k_pi) * static_cast<float>(d) / k_directions;
+        const float there = ground_height(ground, p + Vec3{sin(angle), 0, cos(angle)} * k_beside);
+        if (std::fabs(there - under) > k_edge && std::fabs(there - p.y) < std::fabs(nearest - p.y)) nearest = there;
+    }
+    return nearest;
+}
+
 /// Angle between a sole and the ground under its heel and ball, degrees.
 double sole_angle(const LegTrack& leg, const Ground& ground) {
     const Vec3 heel = leg.sole[0], ball = leg.sole[2];
     const Vec3 forward = normalized(Vec3{ball.x - heel.x, 0, ball.z - heel.z}), side{forward.z, 0, -forward.x};
     const float run = planar_length(ball - heel);
     if (run < 1e-4f) return 0;
-    const float rise = (ground_height(ground, ball) - ground_height(ground, heel)) / run;
-    const Vec3 middle = (heel + ball) * 0.5f;
-    const float roll =
-        (ground_height(ground, middle + side * k_roll_reach) - ground_height(ground, middle - side * k_roll_reach)) /
-        (2 * k_roll_reach);
+    const float rise = (standing_height(ground, ball) - standing_height(ground, heel)) / run;
+    // Beside heel and ball, where it bears, in the sole's own plane.
+    const float lean = -dot(leg.sole_up, side) / std::max(leg.sole_up.y, 0.1f);
+    const Vec3 reach = (side + k_up * lean) * k_roll_reach;
+    float roll = 0;
+    for (const Vec3 p : {heel, ball})
+        roll += (standing_height(ground, p + reach) - standing_height(ground, p - reach)) / (4 * k_roll_reach);
     const Vec3 normal = cross(forward + k_up * rise, side + k_up * roll);
     const Vec3 across = cross(normal, leg.sole_up);
     return atan2(static_cast<double>(length(across)), static_cast<double>(dot(normal, leg.sole_up))) * k_degrees;
@@ -89,7 +106,7 @@ void Measurement::floating_point(std::size_t side, std::size_t point, const Mask
     for (std::size_t i = first_; i < end_; ++i) {
         if (!mask[i]) continue;
         const Vec3 p = walked_.frames[i].legs[side].sole[point];
-        const double above = static_cast<double>(p.y - ground_height(ground_, p));
+        const double above = static_cast<double>(p.y - standing_height(ground_, p));
         const double floating =
             std::max(0.0, above - static_cast<double>(twin_.frames[i].legs[side].sole[point].y)) * k_cm;
         float_ += floating;
@@ -114,10 +131,14 @@ void Measurement::contacts() {
             result.sole_angle_worst_deg = std::max(result.sole_angle_worst_deg, angle);
         }
     }
-    const SkateFigures skate =
-        measure_skate(walked_, twin_, {first_, end_}, [&](Vec3 point) { return ground_height(ground_, point); });
+    const SkateFigures skate = measure_skate(walked_, twin_, {first_, end_}, [&](Vec3 point) {
+        UnderFoot under;
+        under.height = ground_height(ground_, point, &under.normal);
+        return under;
+    });
     result.planted_samples = skate.planted_samples;
     result.skate_cm_s = skate.mean_cm_s;
+    result.skate_level_cm_s = skate.level_cm_s;
     result.skate_weighted_cm = skate.weighted_cm;
     result.skate_share = skate.share;
     // Nothing planted is nothing measured: the figures are no numbers then, not perfect ones.
@@ -198,17 +219,19 @@ float depth_in_ground(const Ground& ground, Vec3 p) noexcept {
     Vec3 normal;
     const float vertical = ground_height(ground, p, &normal) - p.y;
     if (!(vertical > 0)) return 0;
-    // Straight up, out along the surface's own normal, or level in any direction: a riser's face.
+    // Straight up, out along the surface's own normal, or a way level in any direction, to a riser's face, and up
+    // what is left: what lies a hair deep in a tread is out of the riser there.
     float best = vertical * normal.y;
     constexpr int k_directions = 16, k_steps = 24;
     for (int d = 0; d < k_directions; ++d) {
         const float angle = static_cast<float>(2 * k_pi) * static_cast<float>(d) / k_directions;
         const Vec3 way{sin(angle), 0, cos(angle)};
+        const float farthest = best;
         for (int i = 1; i <= k_steps; ++i) {
-            const float r = best * static_cast<float>(i) / k_steps;
-            if (ground_height(ground, p + way * r) > p.y) continue;
-            best = r;
-            break;
+            const float r = farthest * static_cast<float>(i) / k_steps;
+            const float up = std::max(0.0f, ground_height(ground, p + way * r) - p.y);
+            best = std::min(best, std::sqrt(r * r + up * up));
+            if (up == 0) break;
         }
     }
     return best;

@@ -17,14 +17,17 @@ namespace surefoot {
 /// Figures of planted points are NaN (`null` in JSON) where no point is planted; those of the sole's angle, where heel
 /// and ball never stand at once.
 struct WalkMetrics {
-    double skate_cm_s = 0;         ///< mean horizontal speed of planted sole points
+    double skate_cm_s = 0;         ///< mean speed of planted sole points along the ground
+    double skate_level_cm_s = 0;   ///< their mean level speed: it counts a heel that peels off a slope as well
     double skate_share = 0;        ///< share of frames in which a planted point moves faster than 10 cm/s
     double skate_weighted_cm = 0;  ///< mean over frames of displacement * (2 - 2^(h/H)), H = 2.5 cm (Zhang et al. 2018)
     double penetration_max_cm = 0, penetration_mean_cm = 0;  ///< distance to free space, all frames
     double penetration_heel_ball_cm = 0;                     ///< most of heel and ball
     double penetration_toe_mid_cm = 0;                       ///< most of toe tip and mid-sole
     double float_max_cm = 0, float_mean_cm = 0;              ///< planted points above the flat twin's height
-    double sole_angle_deg = 0, sole_angle_worst_deg = 0;     ///< planted sole against the ground under it
+    /// Planted sole against the plane under its heel and ball. Here and for floating, a point within 1.5 cm of an edge
+    /// stands on the side of it that is nearer to its own height.
+    double sole_angle_deg = 0, sole_angle_worst_deg = 0;
     int over_extensions = 0;     ///< leg-frames with the knee past 179.5 degrees where the twin's is not
     double knee_peak_ratio = 0;  ///< peak angular acceleration of the knee, against the flat twin's
     double knee_peak_deg_s2 = 0;

@@ -98,6 +98,7 @@ WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_m
     result.twin = keeping_pace(Plane(), FootMode::none);
     result.twin_track = make_track(result.twin.motion, result.legs);
     result.twin_figures = measure_twin(result.twin_track);
+    result.twin_metrics = measure_walk(result.twin_track, result.twin_track, Plane(), result.twin.requested.back());
     for (const FootMode mode : modes) {
         const auto i = static_cast<std::size_t>(mode);
         result.walked[i] = mode == FootMode::surefoot ? ours : keeping_pace(ground, mode);

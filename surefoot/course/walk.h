@@ -98,6 +98,7 @@ struct WalkComparison {
     Walked twin;
     WalkTrack twin_track;
     TwinFigures twin_figures;
+    WalkMetrics twin_metrics;  ///< the twin judged as a walk on its own flat ground: what the clip itself is like
     Legs legs;
 };
 inline constexpr std::array k_foot_modes{FootMode::none, FootMode::colvin2013, FootMode::surefoot};

@@ -73,6 +73,12 @@ std::string markdown_head(const Cells& titles, std::size_t leading) {
     return out + "\n";
 }
 
+/// "8 (2)": eight walks miss the mark, in two the clip itself does.
+std::string miss_count(int misses, int clips) {
+    if (misses == 0) return "·";
+    return clips > 0 ? fmt::format("{} ({})", misses, clips) : std::to_string(misses);
+}
+
 }  // namespace
 
 std::string walk_table(std::span<const MeasuredWalk> rows, TableLayout layout) {
@@ -101,14 +107,14 @@ std::string walk_markdown(std::span<const MeasuredWalk> rows) {
 }
 
 std::string misses_table(std::span<const MeasuredWalk> rows, bool markdown) {
-    std::vector<Cells> table{{"course", "walks", "meet all"}};
+    std::vector<Cells> table{{"course", "walks", "meet all", "but the clip's"}};
     for (const WalkFigure& figure : walk_figures())
         if (figure.mark) table[0].push_back(figure.head);
     for (const CourseMisses& course : misses_by_course(rows)) {
-        table.push_back({course.course, std::to_string(course.walks), std::to_string(course.perfect)});
+        table.push_back({course.course, std::to_string(course.walks), std::to_string(course.perfect),
+                         std::to_string(course.as_clip)});
         for (std::size_t i = 0; i < course.misses.size(); ++i)
-            if (walk_figures()[i].mark)
-                table.back().push_back(course.misses[i] > 0 ? std::to_string(course.misses[i]) : "·");
+            if (walk_figures()[i].mark) table.back().push_back(miss_count(course.misses[i], course.clips[i]));
     }
     if (!markdown) return aligned(table, 1);
     std::string out = markdown_head(table[0], 1);
@@ -132,14 +138,16 @@ std::string json_quoted(const std::string& text) {
 std::string json_number(double x) { return std::isfinite(x) ? fmt::format("{:.6g}", x) : "null"; }
 
 std::string figures_json(const MeasuredWalk& row) {
-    std::string out = "{", misses;
+    std::string out = "{", misses, clips;
     for (const WalkFigure& figure : walk_figures()) {
         fmt::format_to(Out(out), "\"{}\": {}, ", figure.key, json_number(figure.value(row)));
-        if (figure.missed(row)) fmt::format_to(Out(misses), "{}\"{}\"", misses.empty() ? "" : ", ", figure.key);
+        if (!figure.missed(row)) continue;
+        fmt::format_to(Out(misses), "{}\"{}\"", misses.empty() ? "" : ", ", figure.key);
+        if (figure.missed_by_clip(row)) fmt::format_to(Out(clips), "{}\"{}\"", clips.empty() ? "" : ", ", figure.key);
     }
     const WalkMetrics& m = row.metrics;
-    return out +
-           fmt::format("\"penetration_max_cm\": {}, \"misses\": [{}]}}", json_number(m.penetration_max_cm), misses);
+    return out + fmt::format("\"penetration_max_cm\": {}, \"misses\": [{}], \"clip_misses\": [{}]}}",
+                             json_number(m.penetration_max_cm), misses, clips);
 }
 
 std::string walk_json(std::span<const MeasuredWalk> rows) {

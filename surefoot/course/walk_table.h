@@ -19,10 +19,12 @@ std::string walk_table(std::span<const MeasuredWalk> rows, TableLayout layout);
 /// The same as a Markdown table; misses are bold.
 std::string walk_markdown(std::span<const MeasuredWalk> rows);
 
-/// How many judged walks over each course miss each mark, as text or Markdown.
+/// How many judged walks over each course miss each mark, in brackets: in how many of them the clip itself does on flat
+/// ground. As text or Markdown.
 std::string misses_table(std::span<const MeasuredWalk> rows, bool markdown);
 
-/// {"key": value, …, "misses": ["key", …]}; null for what is no number.
+/// {"key": value, …, "misses": ["key", …], "clip_misses": those of them that the clip itself misses}; null for what is
+/// no number.
 std::string figures_json(const MeasuredWalk& row);
 
 /// {"course", "reverse", "path", "speed_mps", "seconds", "rows": {"none": …, "colvin2013": …, "surefoot": …}}: the rows

@@ -72,6 +72,43 @@ TEST(Metrics, a_foot_sliding_at_10_cm_a_second_gives_10) {
     EXPECT_EQ(measure_walk(faster, twin, k_flat, {}).skate_share, 1);
 }
 
+TEST(Metrics, a_foot_that_comes_off_a_slope_along_its_normal_does_not_skate_and_one_that_slides_along_it_does) {
+    const float grade = tan(30 * k_radians_per_degree);
+    const Plane slope(0, grade);
+    GroundHit hit;
+    const GroundQuery query{{}, 1, 1};
+    slope.query({&query, 1}, {&hit, 1});
+    WalkTrack twin = stepping();
+    for (TrackFrame& frame : twin.frames) frame = twin.frames.front();
+    const auto going = [&](Vec3 way) {
+        return measure_walk(moved(twin, [&](float t) { return way * (0.1f * t); }), twin, slope, {});
+    };
+    const WalkMetrics off = going(hit.normal), along = going(normalized(cross(hit.normal, {1, 0, 0})));
+    EXPECT_NEAR(off.skate_cm_s, 0, 0.05);
+    EXPECT_NEAR(off.skate_level_cm_s, 5, 0.05);
+    EXPECT_NEAR(along.skate_cm_s, 10, 0.05);
+    EXPECT_NEAR(along.skate_level_cm_s, 8.66, 0.05);
+}
+
+TEST(Metrics, a_heel_just_over_an_edge_stands_with_its_foot_and_one_that_is_out_in_the_air_does_not) {
+    const WalkTrack twin = stepping();  // heels at z = -0.05
+    const auto over = [&](float edge) {
+        const Stairs step(0.17f, 1, edge, 1);
+        return measure_walk(moved(twin, [](float) { return Vec3{0, 0.17f, 0}; }), twin, step, {});
+    };
+    const WalkMetrics just = over(-0.04f), far = over(-0.02f);
+    EXPECT_NEAR(just.sole_angle_worst_deg, 0, 0.01);
+    EXPECT_NEAR(just.float_max_cm, 0, 0.01);
+    EXPECT_GT(far.sole_angle_worst_deg, 30);
+    EXPECT_NEAR(far.float_max_cm, 17, 0.1);
+}
+
+TEST(Metrics, a_heel_in_a_riser_and_a_hair_deep_in_its_tread_is_as_deep_as_the_riser_is_near) {
+    const Stairs stairs(0.17f, 0.28f, 0, 3);
+    EXPECT_NEAR(depth_in_ground(stairs, {0, 0.169f, 0.29f}), 0.01f, 2e-3f);
+    EXPECT_NEAR(depth_in_ground(stairs, {0, 0.169f, 0.1f}), 0.001f, 1e-4f);
+}
+
 TEST(Metrics, weighted_skate_is_displacement_times_two_minus_two_to_the_height) {
     const WalkTrack twin = stepping();
     const WalkTrack low = moved(twin, [](float t) { return Vec3{0, 0, 0.12f * t}; });
