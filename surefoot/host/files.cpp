@@ -85,16 +85,19 @@ std::string read_file(const fs::path& path, std::size_t limit) {
     if (!fs::exists(status)) throw Error("no such file", path.string(), "check the path");
     if (!fs::is_regular_file(status))
         throw Error("not a regular file", path.string(), "name a file, not a folder or device");
-    const auto size = fs::file_size(path, code);
-    if (code) throw Error("cannot be read: " + code.message(), path.string(), "check its permissions");
+    File file(std::fopen(path.c_str(), "rb"));
+    if (!file)
+        throw Error(std::string("cannot be opened: ") + std::strerror(errno), path.string(), "check its permissions");
+    // Of what was opened: another file may stand under this name by now.
+    struct stat opened {};
+    if (fstat(fileno(file.get()), &opened) != 0)
+        throw Error(std::string("cannot be read: ") + std::strerror(errno), path.string(), "check its permissions");
+    const auto size = static_cast<std::size_t>(opened.st_size);
     if (size > limit)
         throw Error("the file is " + std::to_string(size >> 20) + " MiB; at most " + std::to_string(limit >> 20) +
                         " MiB are read",
                     path.string(), "split it");
-    File file(std::fopen(path.c_str(), "rb"));
-    if (!file)
-        throw Error(std::string("cannot be opened: ") + std::strerror(errno), path.string(), "check its permissions");
-    std::string bytes(static_cast<std::size_t>(size), '\0');
+    std::string bytes(size, '\0');
     bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
     if (std::ferror(file.get())) throw Error("reading failed", path.string(), "check the disk");
     return bytes;

@@ -227,7 +227,7 @@ TEST_F(StudioServer, who_reads_while_another_saves_sees_one_state_or_the_other) 
     int reads = 0;
     while (!done || reads < 5) {
         const std::string now = read_file(root() / "project/project.json");
-        ASSERT_TRUE(now == one || now == two) << now.size();
+        EXPECT_TRUE(now == one || now == two) << now.size();
         ++reads;
     }
     writer.join();
