@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs every benchmark program of a build.
+# Runs every benchmark program of a build, then other libraries beside ours.
 #
 #   scripts/bench.sh BUILD_FOLDER
 set -euo pipefail
@@ -11,3 +11,9 @@ for program in "${programs[@]}"; do
   echo "== ${program##*/}"
   "$program"
 done
+if command -v node >/dev/null; then
+  echo "== other libraries at the same work"
+  node "$(dirname "$0")/bench_peers.mjs" "$1" 3
+else
+  echo "== no Node here: other libraries are left out (they have a program of their own, $1/bench/peers/bench_peers)"
+fi

@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 build_packages=(g++ cmake ninja-build nlohmann-json3-dev libcli11-dev libfmt-dev libtinygltf-dev libfast-float-dev
                 libassimp-dev zlib1g-dev libtbb-dev libcpp-httplib-dev pkg-config) # assimp's CMake package names zlib, its Debian package forgets it
 test_packages=(libgtest-dev libqhull-dev)
-bench_packages=(libbenchmark-dev)
+bench_packages=(libbenchmark-dev libogre-1.12-dev libcal3d12-dev libopenscenegraph-dev) # the last three to compare with
 studio_packages=(emscripten)
 ci_packages=(clang-format emscripten chromium)
 
