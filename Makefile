@@ -2,7 +2,7 @@
 # offline when nothing is), then leaves the work to CMake; see CMakePresets.json for the builds behind it.
 
 .DEFAULT_GOAL := help
-.PHONY: help build test demo bench studio clean
+.PHONY: help build test demo bench bench-wasm studio clean
 
 CMAKE_OPTIONS ?=
 
@@ -29,6 +29,15 @@ bench: ## build and run the benchmarks
 	cmake --preset release -DSUREFOOT_BUILD_BENCH=ON $(CMAKE_OPTIONS)
 	cmake --build --preset release
 	@scripts/bench.sh build/release
+
+bench-wasm: ## the same frames as WebAssembly and natively for x86-64-v2; needs Node and emscripten
+	@scripts/setup.sh build bench studio
+	cmake --preset release -B build/v2 -DSUREFOOT_BUILD_BENCH=ON -DSUREFOOT_BUILD_TOOLS=OFF -DSUREFOOT_BUILD_TESTS=OFF \
+	  -DSUREFOOT_KERNELS_X86_64=OFF -DCMAKE_CXX_FLAGS=-march=x86-64-v2
+	cmake --build build/v2 --target bench_frames
+	cmake --preset wasm -DSUREFOOT_BUILD_BENCH=ON
+	cmake --build build/wasm --target bench_frames
+	@node scripts/bench_wasm.mjs build/v2 build/wasm
 
 studio: ## the web studio: build/studio, which `surefoot studio` serves; needs Node and emscripten
 	@scripts/setup.sh build studio

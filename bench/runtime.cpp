@@ -99,13 +99,6 @@ void local_to_model_eight(benchmark::State& state, bool scalar) {
 BENCHMARK_CAPTURE(local_to_model_eight, vector, false);
 BENCHMARK_CAPTURE(local_to_model_eight, scalar, true);
 
-/// Steering that never rests, and stays within the space.
-LocomotionRequest wish(std::size_t character, int frame) {
-    const float t = 0.01f * static_cast<float>(frame) + 0.13f * static_cast<float>(character % 97);
-    const float saw = t - std::floor(t), slow_saw = 0.3f * t - std::floor(0.3f * t);
-    return {1.2f + 1.5f * saw, 70.0f * (0.5f - slow_saw), 0};
-}
-
 void update_only(benchmark::State& state) {
     LocomotionState character;
     std::vector<LocomotionRequest> wishes;

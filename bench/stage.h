@@ -89,4 +89,11 @@ inline LocomotionGraph make_graph(int joints = k_joints) {
     return make_locomotion_graph(skeleton, std::move(clips), std::move(facing), {});
 }
 
+/// Steering that never rests, and stays within the space.
+inline LocomotionRequest wish(std::size_t character, int frame) {
+    const float t = 0.01f * static_cast<float>(frame) + 0.13f * static_cast<float>(character % 97);
+    const float saw = t - std::floor(t), slow_saw = 0.3f * t - std::floor(0.3f * t);
+    return {1.2f + 1.5f * saw, 70.0f * (0.5f - slow_saw), 0};
+}
+
 }  // namespace surefoot::bench

@@ -55,7 +55,8 @@ function(surefoot_kernels name)
   set(folder "${CMAKE_CURRENT_SOURCE_DIR}/${name}")
   set_source_files_properties("${folder}/kernels_baseline.cpp" PROPERTIES COMPILE_OPTIONS "$<$<NOT:$<CONFIG:Debug>>:-O3>")
   foreach(level v3 v4)
-    if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$" AND NOT EMSCRIPTEN AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    if(SUREFOOT_KERNELS_X86_64 AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$" AND NOT EMSCRIPTEN
+       AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
       set_source_files_properties("${folder}/kernels_${level}.cpp" PROPERTIES
         COMPILE_OPTIONS "$<$<NOT:$<CONFIG:Debug>>:-O3>;-march=x86-64-${level}")
       target_compile_definitions(surefoot_${name} PUBLIC SUREFOOT_HAS_KERNELS_X86_64)
