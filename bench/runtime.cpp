@@ -99,19 +99,24 @@ void local_to_model_eight(benchmark::State& state, bool scalar) {
 BENCHMARK_CAPTURE(local_to_model_eight, vector, false);
 BENCHMARK_CAPTURE(local_to_model_eight, scalar, true);
 
-void update_only(benchmark::State& state) {
+void update_of(benchmark::State& state, const LocomotionGraph& graph) {
     LocomotionState character;
     std::vector<LocomotionRequest> wishes;
     for (int f = 0; f < 1024; ++f) wishes.push_back(wish(1, f));
     std::size_t at = 0;
     for (auto _ : state) {
-        LocomotionFrame frame = update(graph(), character, wishes[at], 1.0f / 60);
+        LocomotionFrame frame = update(graph, character, wishes[at], 1.0f / 60);
         at = (at + 1) % wishes.size();
         benchmark::DoNotOptimize(frame);
     }
     per_character(state);
 }
+void update_only(benchmark::State& state) { update_of(state, graph()); }
 BENCHMARK(update_only);
+void update_by_dimensions(benchmark::State& state) {
+    update_of(state, make_graph(k_joints, static_cast<int>(state.range(0))));
+}
+BENCHMARK(update_by_dimensions)->ArgName("dimensions")->Arg(2)->Arg(3)->Arg(4);
 
 /// Update, pose and 3x4 matrices of a whole crowd, written out; this character's graph knows no legs, so its feet are
 /// neither blended as feet nor placed.
@@ -140,6 +145,10 @@ void crowd_frame_by_joints(benchmark::State& state) {
     const LocomotionGraph made = make_graph(static_cast<int>(state.range(0)));
     frames_of(state, made, 104);
 }
+void crowd_frame_by_dimensions(benchmark::State& state) {
+    frames_of(state, make_graph(k_joints, static_cast<int>(state.range(0))), 104);
+}
+BENCHMARK(crowd_frame_by_dimensions)->ArgName("dimensions")->Arg(2)->Arg(3)->Arg(4);
 BENCHMARK(crowd_frame_by_joints)->ArgName("joints")->Arg(20)->Arg(40)->Arg(80)->Arg(120)->Arg(200);
 
 /// Multiply-adds in registers: what this machine does today, whatever it is.

@@ -74,17 +74,24 @@ inline PackedClip make_clip(const Skeleton& skeleton, std::uint64_t seed, Vec3 v
     return clip;
 }
 
-inline LocomotionGraph make_graph(int joints = k_joints) {
+/// A space over speed and turn, and with more dimensions over axes of the user's own: twelve clips, and twice as many
+/// with each axis more.
+inline LocomotionGraph make_graph(int joints = k_joints, int dimensions = 2) {
     const auto skeleton = make_skeleton(joints);
     std::vector<PackedClip> clips;
     SpaceDefinition facing;
     facing.space.axes = {{"speed", "m/s", -1, 4}, {"turn", "deg/s", -90, 90}};
-    for (const float turn : {-90.0f, 0.0f, 90.0f})
-        for (const float speed : {-0.8f, 0.0f, 1.4f, 3.5f}) {
-            facing.space.samples.push_back({speed, turn});
-            facing.clips.push_back(static_cast<std::int32_t>(clips.size()));
-            clips.push_back(make_clip(*skeleton, clips.size() + 1, {0, 0, speed}, turn * k_radians_per_degree, 1));
-        }
+    for (int d = 2; d < dimensions; ++d) facing.space.axes.push_back({"own" + std::to_string(d), "", 0, 1});
+    for (int corner = 0; corner < 1 << (dimensions - 2); ++corner)
+        for (const float turn : {-90.0f, 0.0f, 90.0f})
+            for (const float speed : {-0.8f, 0.0f, 1.4f, 3.5f}) {
+                SpacePoint at{speed, turn};
+                for (int d = 2; d < dimensions; ++d)
+                    at[static_cast<std::size_t>(d)] = static_cast<float>(corner >> (d - 2) & 1);
+                facing.space.samples.push_back(at);
+                facing.clips.push_back(static_cast<std::int32_t>(clips.size()));
+                clips.push_back(make_clip(*skeleton, clips.size() + 1, {0, 0, speed}, turn * k_radians_per_degree, 1));
+            }
     triangulate(facing.space);
     return make_locomotion_graph(skeleton, std::move(clips), std::move(facing), {});
 }
@@ -93,7 +100,9 @@ inline LocomotionGraph make_graph(int joints = k_joints) {
 inline LocomotionRequest wish(std::size_t character, int frame) {
     const float t = 0.01f * static_cast<float>(frame) + 0.13f * static_cast<float>(character % 97);
     const float saw = t - std::floor(t), slow_saw = 0.3f * t - std::floor(0.3f * t);
-    return {1.2f + 1.5f * saw, 70.0f * (0.5f - slow_saw), 0};
+    LocomotionRequest request{1.2f + 1.5f * saw, 70.0f * (0.5f - slow_saw), 0};
+    request.custom = {saw, slow_saw, 1 - saw, 1 - slow_saw};
+    return request;
 }
 
 }  // namespace surefoot::bench
