@@ -52,19 +52,19 @@ bool is_live_gait(const std::string& name) {
 
 LiveGait read_live_gait(const std::string& name) {
     LiveGait live;
-    const auto gait = std::make_shared<const HarmonicGait>(read_any(name));
-    live.name = gait->name;
-    const bool bundled = !std::filesystem::exists(name) && !fitted_gait_text(gait->name).empty();
+    const HarmonicGait gait = read_any(name);
+    live.name = gait.name;
+    const bool bundled = !std::filesystem::exists(name) && !fitted_gait_text(gait.name).empty();
     live.rig = live_rig_of(gait, bundled ? GaitCompany::bundled : GaitCompany::alone, name);
     std::vector<Transform> models(live.rig.stand.size());
-    local_to_model(*gait->skeleton, live.rig.stand, models);
-    live.roles = find_roles(*gait->skeleton, models).roles;
-    if (gait->family()) {
-        live.least_speed = gait->basis.least_speed;
-        live.most_speed = gait->basis.most_speed;
+    local_to_model(*gait.skeleton, live.rig.stand, models);
+    live.roles = find_roles(*gait.skeleton, models).roles;
+    if (gait.family()) {
+        live.least_speed = gait.basis.least_speed;
+        live.most_speed = gait.basis.most_speed;
         live.speed = std::clamp(live.speed, live.least_speed, live.most_speed);
     } else {
-        live.speed = planar_length(rhythm_at(*gait, 0, 0).velocity);
+        live.speed = planar_length(rhythm_at(gait, 0, 0).velocity);
     }
     if (const NamedGait* named = std::filesystem::exists(name) ? nullptr : find_fitted_gait(name)) {
         live.name = named->name;

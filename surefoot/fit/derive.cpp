@@ -110,8 +110,11 @@ HarmonicGait stretched(const HarmonicGait& gait, float least_speed, float most_s
     constexpr float k_nearly = 15;
     result.basis.travel_deg = std::fabs(travel - quarter) < k_nearly ? quarter : travel;
     set_over_speeds(result, least_speed, most_speed, [&](float wanted) {
-        constexpr float k_least = 0.5f, k_most = 1.5f;
-        const float share = std::clamp(std::sqrt(wanted / speed), k_least, k_most);
+        constexpr float k_least = 0.5f;
+        // Slower, strides shorten as cadence drops. Quicker it is cadence that makes the speed: wider swings of limbs
+        // that the clip already swings far would be torn.
+        const float part = wanted / speed, power = part < 1 ? 0.5f : 0.2f;
+        const float share = std::max(k_least, exp(power * static_cast<float>(log(static_cast<double>(part)))));
         std::vector<float> values = gait.coefficients;
         const GaitSeries series(gait, values);
         for (int j = 0; j < static_cast<int>(gait.mean.size()); ++j)

@@ -53,7 +53,7 @@ struct FamilyOptions {
     float least_speed = 0.3f, most_speed = 5;  ///< [m/s] of the range over which it is defined
     float most_turn = 120;                     ///< [deg/s]
     int degree = 2;                            ///< of the polynomials
-    float walk_until = 1.4f, run_from = 3.0f;  ///< [m/s] between them walking goes over into running
+    float walk_until = 1.2f, run_from = 3.2f;  ///< [m/s] between them walking goes over into running
     double ridge = 0.02;  ///< what a term of degree 2 costs, as a share of what the strides have to say
 };
 

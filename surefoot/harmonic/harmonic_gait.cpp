@@ -159,7 +159,10 @@ void bound_rhythm(const HarmonicGait& gait, float speed, float turn_deg, float* 
     constexpr float k_slowest_step = 0.2f, k_slowest_breath = 0.02f;  // [Hz]
     rhythm[4] = std::clamp(rhythm[4], gait.family() ? k_slowest_step : k_slowest_breath, 4.0f);
     rhythm[5] = std::clamp(rhythm[5], 0.2f, 0.8f);
-    for (int side = 0; side < 2; ++side) rhythm[6 + side] = std::clamp(rhythm[6 + side], 0.15f, 0.85f);
+    // Sprinters' feet stand for a quarter of the cycle. What is extrapolated to less is no rhythm of the actor's.
+    constexpr float k_shortest_stance = 0.28f, k_longest_stance = 0.85f;
+    for (int side = 0; side < 2; ++side)
+        rhythm[6 + side] = std::clamp(rhythm[6 + side], k_shortest_stance, k_longest_stance);
 }
 
 std::size_t foot_values(const HarmonicGait& gait) noexcept { return at(k_foot_series * (1 + 2 * gait.foot_harmonics)); }

@@ -15,7 +15,7 @@ constexpr float k_most_braking = 3;              // [m/s^2] into a stand
 constexpr float k_most_turn_acceleration = 200;  // [deg/s^2]
 constexpr float k_least_change = 1.0f;           // [s] of posture
 // What has become another manner's own is fast or turning only later than the posture is there.
-constexpr float k_after_posture = 1.1f;  // times
+constexpr float k_after_posture = 1.2f;  // times
 // A foot that stands so near to where it belongs need not step.
 constexpr float k_near = 0.05f;       // [m]
 constexpr float k_near_turn = 0.12f;  // [rad]
@@ -122,9 +122,11 @@ class FootStepper {
         if (steady()) return travel(rig_, state_, seconds + 0.5f * step_of(now_.rhythm, side).stance);
         const GaitRhythm then = mixture_of(rig_, state_, seconds).rhythm;
         const float half = 0.5f * step_of(then, side).stance;
-        constexpr float k_nearer = 0.85f;  // who slows down brakes with bent knees
+        // Who slows down brakes with bent knees, on a foot that comes down nearer; the longer it still flies, the more.
+        constexpr float k_nearer = 0.85f, k_long = 0.5f;  // [s]
+        const float part = 1 - (1 - k_nearer) * std::min(1.0f, seconds / k_long);
         if (state_.speed.rate(seconds) * state_.speed.value(seconds) <= 0)
-            return travel(rig_, state_, seconds + k_nearer * half);
+            return travel(rig_, state_, seconds + part * half);
         return travel(rig_, state_, seconds) * integrate(then.velocity, then.turn_rate, half);
     }
 

@@ -1,10 +1,12 @@
 #include <surefoot/analysis/leg_track.h>
 #include <surefoot/author/fitted_gaits.h>
+#include <surefoot/author/live_rigs.h>
 #include <surefoot/base/error.h>
 #include <surefoot/fit/derive.h>
 #include <surefoot/fit/fit_gait.h>
 
 #include "tests/fit/baked_clip.h"
+#include "tests/fit/largest_change.h"
 
 #include <gtest/gtest.h>
 
@@ -39,6 +41,43 @@ TEST(BundledGaits, each_goes_as_fast_as_asked_over_its_range) {
         for (int i = 0; i < 8; ++i)
             expect_speed(gait, gait.basis.least_speed + (gait.basis.most_speed - gait.basis.least_speed) * i / 7.0f, 0);
     }
+}
+
+TEST(BundledGaits, played_live_feet_stand_nearly_still) {
+    struct {
+        const char* name;
+        float speed, turn_deg;
+        double skate_cm_s;
+    } constexpr k_all[] = {{"human", 0.7f, 0, 1.2}, {"human", 1.4f, 0, 1.2},  {"human", 1.4f, 60, 1.2},
+                           {"human", 2.6f, 0, 2},   {"human", 3, 0, 3.5},     {"human", 4.2f, 0, 5},
+                           {"back", 1, 0, 1.2},     {"strafe_left", 1, 0, 2}, {"crouch", 0.74f, 0, 1.2},
+                           {"turn", 0, 60, 1.6}};
+    for (const auto& [name, speed, turn_deg, most] : k_all) {
+        SCOPED_TRACE(testing::Message() << name << " " << speed << " m/s " << turn_deg << " deg/s");
+        const HarmonicGait gait = as_played_live(fitted_gait(name));
+        const AnalyzedClip clip = bake_gait(gait, speed, turn_deg);
+        EXPECT_LT(skate_of(clip), most);
+        EXPECT_GT(lowest_sole(clip), -0.008f);
+    }
+    // Captured, they are of the actor's feet.
+    EXPECT_GT(skate_of(bake_gait(fitted_gait("human"), 1.4f, 0)), 3);
+}
+
+TEST(BundledGaits, poses_change_smoothly_with_the_speed) {
+    const HarmonicGait captured = fitted_gait("human"), live = as_played_live(captured);
+    for (const HarmonicGait* gait : {&captured, &live})
+        for (const float turn : {0.0f, 60.0f, -90.0f}) {
+            const float whole = largest_change(*gait, 2, turn), half = largest_change(*gait, 1, turn);
+            EXPECT_LT(whole, 6) << turn;
+            EXPECT_LT(half, 0.6f * whole) << turn;
+        }
+}
+
+TEST(BundledGaits, what_stands_or_climbs_is_played_live_as_it_is) {
+    for (const char* name : {"idle", "stairs_up", "stairs_down"})
+        EXPECT_EQ(as_played_live(fitted_gait(name)).foot_hold, 0) << name;
+    const HarmonicGait live = as_played_live(fitted_gait("human"));
+    EXPECT_EQ(as_played_live(live).coefficients, live.coefficients);
 }
 
 TEST(BundledGaits, soles_keep_to_the_floor) {
