@@ -179,7 +179,7 @@ const Command k_walk{
         app.add_option("--set", options->set,
                        "NAME=VALUE of the slope, of an axis of your own, or of a graph's parameter (repeatable)")
             ->allow_extra_args(false);
-        app.add_option("--seconds", options->seconds, "How long; 10, with --all 16, and 60 on an eight")
+        app.add_option("--seconds", options->seconds, "How long; 10, with --all 16, with turns 30, on an eight 60")
             ->check(CLI::Range(0.5, 3600.0))
             ->check(is_number);
         app.add_flag("--keep-pace", options->keep_pace,

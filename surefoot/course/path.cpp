@@ -7,7 +7,7 @@
 namespace surefoot {
 
 const std::vector<std::string>& path_names() {
-    static const std::vector<std::string> names{"straight", "curve", "eight", "start-stop"};
+    static const std::vector<std::string> names{"straight", "curve", "eight", "start-stop", "turns"};
     return names;
 }
 
@@ -18,8 +18,10 @@ std::vector<PathLeg> walk_path(const std::string& name, float seconds, float tur
     if (name == "curve") legs = {{true, k_turn, k_bend}, {true, -k_turn, 2 * k_bend}, {true, k_turn, k_bend}};
     if (name == "eight") legs = {{true, k_turn, k_circle}, {true, -k_turn, k_circle}};
     if (name == "start-stop") legs = {{false, 0, 1}, {true, turn, 3}, {false, 0, 2.5f}};
+    if (name == "turns")
+        legs = {{true, turn, 3}, {false, 0, 2}, {false, 60, 3}, {false, 0, 1.5f}, {false, -45, 4}, {false, 0, 1.5f}};
     if (legs.empty())
-        throw Error("there is no path '" + name + "'", "--path", "walk straight, curve, eight or start-stop");
+        throw Error("there is no path '" + name + "'", "--path", "walk straight, curve, eight, start-stop or turns");
     std::vector<PathLeg> all;
     float whole = 0;
     for (const PathLeg& leg : legs) whole += leg.seconds;

@@ -15,11 +15,12 @@ struct PathLeg {
     float seconds = 1;
 };
 
-/// "straight", "curve", "eight", "start-stop".
+/// "straight", "curve", "eight", "start-stop", "turns".
 const std::vector<std::string>& path_names();
 
 /// straight; curve (30 deg/s, by turns to the left and to the right, so that it gets ahead); eight (two circles at that
-/// rate, one to either side); start-stop (stand, go, stop and go again, over and over). Legs for `seconds` at least.
+/// rate, one to either side); start-stop (stand, go, stop and go again, over and over); turns (go, stop, turn on the
+/// spot by 180 degrees to the left at 60 deg/s and back at 45, and go on). Legs for `seconds` at least.
 /// `turn` [deg/s] is that of a straight way, for gaits that turn by themselves. Throws Error for another name.
 std::vector<PathLeg> walk_path(const std::string& name, float seconds, float turn = 0);
 

@@ -20,12 +20,13 @@ struct SweepRequest {
     std::vector<bool> reverse;  ///< {false}: from the near end only
     std::string character;
     float grade_deg = 15;
-    float seconds = 0;  ///< 0: 16, and 60 on an eight
+    float seconds = 0;  ///< 0: 16, 30 with turns on the spot, 60 on an eight
     bool limit_pace = true;
 };
 
 /// The walks of a request: courses, then paths, speeds, directions. By itself: the usual speeds, on steps no more than
-/// 1.4 m/s; eights only where the ground is alike in every direction; flat and level ground from one end only.
+/// 1.4 m/s, nor before turns on the spot; eights only where the ground is alike in every direction; flat and level
+/// ground from one end only.
 std::vector<WalkInfo> plan_sweep(const SweepRequest& request);
 
 /// A curve to be drawn: one value every `k_trace_stride` frames.

@@ -65,6 +65,7 @@ Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request, co
     FootSettings settings;
     settings.mode = request.mode;
     settings.limit_pace = request.limit_pace;
+    settings.lean = request.lean;
     PlacedWalker placed(walker, ground, settings);
     const auto limit_of = [&](std::size_t f) { return speed_limit ? (*speed_limit)[f] : k_own_limit; };
 

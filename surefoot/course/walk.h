@@ -74,6 +74,7 @@ struct WalkRequest {
     float seconds = 10;
     FootMode mode = FootMode::surefoot;
     bool limit_pace = true;  ///< the walker goes no faster than foot placement says (FootOutput::speed_limit)
+    bool lean = true;        ///< FootSettings::lean
 };
 
 struct Walked {

@@ -1,5 +1,6 @@
 #include <surefoot/harmonic/gait_style.h>
 #include <surefoot/harmonic/series.h>
+#include <surefoot/ik/lean.h>
 #include <surefoot/math/trig.h>
 #include <surefoot/rig/roles.h>
 
@@ -176,7 +177,7 @@ void apply_style(const HarmonicGait& gait, const StyleBody& body, const GaitStyl
 }
 
 void apply_slope(const HarmonicGait& gait, const StyleBody& body, float slope_deg, std::span<float> values) noexcept {
-    constexpr float k_steepest = 35, k_lean_up = 0.33f, k_lean_down = 0.14f;
+    constexpr float k_steepest = 35;
     constexpr float k_shorter = 0.008f;  // of the stride a degree
     const float slope = std::clamp(slope_deg, -k_steepest, k_steepest);
     if (slope == 0) return;
@@ -193,7 +194,7 @@ void apply_slope(const HarmonicGait& gait, const StyleBody& body, float slope_de
     const std::span<float> rhythm = series.rhythm();
     rhythm[1] += rise * rhythm[2];
     rhythm[4] *= 1 + k_shorter * std::fabs(slope);
-    const float lean = slope * (slope > 0 ? k_lean_up : k_lean_down);
+    const float lean = slope_lean(angle) * k_degrees_per_radian;
     hold(series, body, std::array{gait.soles.hips}, {0.4f * lean, 0, 0});
     hold(series, body, body.spine, {0.6f * lean, 0, 0});
     hold(series, body, body.head, {-0.5f * lean, 0, 0});

@@ -61,6 +61,8 @@ struct PlacedFoot {
 PlacedFoot place_foot(const FootState& foot, double clock, const LegPoints& points, const Leg& leg) noexcept;
 /// Its parts: the blend of two plants with the heel's rise, and what replanning left over.
 PlacedFoot blend_plants(const FootState& foot, double clock, const LegPoints& points, const Leg& leg) noexcept;
+/// What takes flat ground to the ground under a foot, or between the places it comes from and goes to.
+Quat ground_tilt(const FootState& foot, double clock) noexcept;
 Vec3 fade_offset(const FootState& foot, double clock) noexcept;
 Vec3 swing_shift(const FootState& foot, float share) noexcept;
 

@@ -34,20 +34,34 @@ void raise_heel(PlacedFoot& placed, const FootState& foot, double clock, const L
     placed.tilt = turn * placed.tilt;
 }
 
+/// How far it has come from one plant to the next.
+float swing_share(const FootState& foot, double clock) noexcept {
+    if (!foot.has_next || clock <= foot.lift) return 0;
+    if (clock >= foot.strike) return 1;
+    return smootherstep(static_cast<float>((clock - foot.lift) / (foot.strike - foot.lift)));
+}
+
 PlacedFoot stand_or_swing(const FootState& foot, double clock, const LegPoints& points, float leg_length) noexcept {
     const auto stand = [&](const Plant& plant) {
         return PlacedFoot{plant_ankle(plant, points, leg_length), plant.tilt, plant.uneven, plant.tilt};
     };
     if (!foot.has_next || clock <= foot.lift) return stand(foot.plant);
     if (clock >= foot.strike) return stand(foot.next);
-    const float s = smootherstep(static_cast<float>((clock - foot.lift) / (foot.strike - foot.lift)));
+    const float s = swing_share(foot, clock);
     const PlacedFoot a = stand(foot.plant), b = stand(foot.next);
-    const Vec3 turn = to_rotation_vector(foot.next.tilt * conjugate(foot.plant.tilt));
-    const Quat tilt = from_rotation_vector(turn * s) * foot.plant.tilt;
+    const Quat tilt = ground_tilt(foot, clock);
     return {a.ankle + (b.ankle - a.ankle) * s, tilt, a.uneven + (b.uneven - a.uneven) * s, tilt};
 }
 
 }  // namespace
+
+Quat ground_tilt(const FootState& foot, double clock) noexcept {
+    const float share = swing_share(foot, clock);
+    if (share == 0) return foot.plant.tilt;
+    if (share == 1) return foot.next.tilt;
+    const Vec3 turn = to_rotation_vector(foot.next.tilt * conjugate(foot.plant.tilt));
+    return from_rotation_vector(turn * share) * foot.plant.tilt;
+}
 
 PlacedFoot blend_plants(const FootState& foot, double clock, const LegPoints& points, const Leg& leg) noexcept {
     PlacedFoot placed = stand_or_swing(foot, clock, points, leg.length());

@@ -18,6 +18,7 @@ constexpr float k_faded = 2e-3f;        // as good as there: half a millimetre o
 constexpr float k_flat = 0.035f, k_most_drift = 0.1f;  // of the leg's length
 constexpr float k_rest_stiffness = 14;                 // [1/s]
 constexpr float k_hold = 12;                           // [1/s]
+constexpr float k_lean_stiffness = 6;                  // [1/s]
 constexpr float k_spring_step = 1.0f / 60;             // [s] the forecast's step: longer frames are cut into such
 
 // --- mode none
@@ -101,10 +102,22 @@ void hold(FootState& foot, const LegPoints& points, float leg_length, float dt) 
     foot.plant.centre += Vec3{drift.x, 0, drift.z} * (1 - exp(-k_hold * dt));
 }
 
+/// `first`: it has long been on this slope.
+float ease_lean(const FootRig& rig, FootPlacementState& state, float slope, bool first, float dt) noexcept {
+    if (!rig.settings.lean) return 0;
+    const float wanted = slope_lean(slope);
+    if (first)
+        state.lean = {wanted, 0};
+    else
+        state.lean.step(wanted, k_lean_stiffness, dt);
+    return state.lean.value;
+}
+
 void place_planned(const FootRig& rig, FootPlacementState& state, const FootInput& input, const GroundProbe& probe,
                    const LegPreview& preview, FootOutput& output) noexcept {
     if (input.teleport) forget(state);
-    bool plan = !state.started;
+    const bool first = !state.started;
+    bool plan = first;
     if (!plan) {
         ride(state, probe, std::max(input.dt, 0.0f));
         advance(rig, state, std::max(input.dt, 0.0f));
@@ -130,12 +143,14 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
     output.speed_limit = state.pace.limit;
     output.moves_legs = true;
     output.hips_offset = hips - input.root.position.y;
+    std::array<Quat, 2> tilts;
     for (std::size_t side = 0; side < 2; ++side) {
         const WorldLeg leg = world_leg(rig.legs.side[side], input.legs.side[side], input.root);
         FootState& foot = state.feet[side];
         output.planted[side] = !foot.has_next || state.clock < foot.lift;
         if (output.planted[side]) hold(foot, leg.points, rig.legs.side[side].length(), std::max(input.dt, 0.0f));
         const PlacedFoot placed = place_foot(foot, state.clock, leg.points, rig.legs.side[side]);
+        tilts[side] = ground_tilt(foot, state.clock);
         TwoBone in;
         in.hip = leg.points.hip + k_up * hips;
         in.knee = leg.points.knee + k_up * hips;
@@ -147,6 +162,7 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
         output.leg[side] = to_locals(leg, solved.upper, solved.lower, placed.tilt, bend * placed.toes_tilt);
         output.pulled_in[side] = solved.pulled_in;
     }
+    output.lean = ease_lean(rig, state, slope_along(tilts, input.root.yaw), first, std::max(input.dt, 0.0f));
     feel_ground(rig, state, input, probe, output);
 }
 
@@ -198,6 +214,8 @@ FootRig make_foot_rig(const Skeleton& skeleton, const Legs& legs, std::span<cons
     const auto parent = [&](int joint) { return skeleton.parents[static_cast<std::size_t>(joint)]; };
     rig.hips = legs.hips;
     rig.hips_parent = parent(legs.hips);
+    rig.lean_joints = find_lean_joints(skeleton, standing);
+    rig.parents = skeleton.parents;
     for (std::size_t side = 0; side < 2; ++side) {
         const Leg& leg = legs.side[side];
         rig.upper_parent[side] = parent(leg.upper);
@@ -244,6 +262,7 @@ float ease_weight(FootPlacementState& state, const FootInput& input) noexcept {
 /// From the clip's own pose to the placed one.
 void fade(const FootRig& rig, const FootInput& input, float weight, FootOutput& output) noexcept {
     output.hips_offset *= weight;
+    output.lean *= weight;
     for (std::size_t side = 0; output.moves_legs && side < 2; ++side) {
         const WorldLeg leg = world_leg(rig.legs.side[side], input.legs.side[side], input.root);
         const FootOutput::LegRotations own = to_locals(leg, {}, {}, {}, {});
@@ -289,6 +308,7 @@ void apply(const FootRig& rig, const FootOutput& output, std::span<const Transfo
     const Quat parent =
         rig.hips_parent == k_no_joint ? Quat{} : models[static_cast<std::size_t>(rig.hips_parent)].rotation;
     locals[static_cast<std::size_t>(rig.hips)].translation += rotate(conjugate(parent), k_up * output.hips_offset);
+    lean(rig.lean_joints, rig.parents, output.lean, models, locals);
     if (!output.moves_legs) return;
     for (std::size_t side = 0; side < 2; ++side) {
         const Leg& leg = rig.legs.side[side];

@@ -19,6 +19,7 @@
 // State is one trivially copyable block: saving and rolling back is memcpy. No call allocates or throws.
 
 #include <surefoot/ik/hips.h>
+#include <surefoot/ik/lean.h>
 #include <surefoot/ik/plant.h>
 #include <surefoot/ik/swing_hump.h>
 
@@ -26,6 +27,7 @@
 #include <memory>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 namespace surefoot {
 
@@ -45,6 +47,7 @@ struct FootSettings {
     float ground_up = 1.5f;       ///< [m] how far above and below the root's height ground is looked for
     float ground_down = 2.5f;
     bool limit_pace = true;  ///< see FootOutput::speed_limit
+    bool lean = true;        ///< see FootOutput::lean
 };
 
 /// Model-space joints of one leg, and the world rotations its local rotations are relative to.
@@ -74,6 +77,8 @@ struct FootRig {
     std::array<std::int16_t, 2> upper_parent{};  ///< joints, or k_no_joint
     std::array<std::int16_t, 2> lower_parent{}, foot_parent{}, toes_parent{};
     int hips = k_no_joint, hips_parent = k_no_joint;
+    LeanJoints lean_joints;
+    std::vector<std::int16_t> parents;          ///< of the skeleton's joints
     std::shared_ptr<const SwingSolver> solver;  ///< the swing programme's constant matrices
 };
 
@@ -128,6 +133,7 @@ struct FootPlacementState {
     HeightSpring base;  ///< of the hips, before the legs' reach
     HipLimiter limiter;
     HeightSpring hips_rest;  ///< what a new plan took from under the hips' way, fading
+    HeightSpring lean;       ///< [rad], [rad/s] of the trunk
     PaceState pace;
     Vec3 ground_velocity;        ///< [m/s] see FootOutput
     HeightSpring weight{-1, 0};  ///< of all this, eased; -1: not known yet
@@ -152,6 +158,8 @@ struct FootOutput {
         Quat upper, lower, foot, toes;  ///< new local rotations; toes only where there is a toe joint
     };
     std::array<LegRotations, 2> leg;
+    /// [rad] By which the trunk leans forward, into a slope or back from it (slope_lean). Mode surefoot only.
+    float lean = 0;
     bool moves_legs = false;                 ///< false: the legs stay as they were, `leg` is not set
     std::array<bool, 2> planted{};           ///< stands on its foothold
     std::array<bool, 2> pulled_in{};         ///< could not reach its target
@@ -170,8 +178,8 @@ struct FootOutput {
 void place_feet(const FootRig& rig, FootPlacementState& state, const FootInput& input, const Ground& ground,
                 const LegPreview* preview, FootOutput& output) noexcept;
 
-/// Writes an output into a pose: the hips' translation and the legs' rotations. `models` is the un-placed pose in
-/// model space that the legs were read from; only the hips' parent is read from it.
+/// Writes an output into a pose: the hips' translation, the legs' rotations and, where it leans, those of trunk, neck
+/// and upper arms. `models` is the un-placed pose in model space that the legs were read from.
 void apply(const FootRig& rig, const FootOutput& output, std::span<const Transform> models,
            std::span<Transform> locals) noexcept;
 

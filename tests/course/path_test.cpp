@@ -40,6 +40,19 @@ TEST(Path, names_are_known) {
     for (const std::string& name : path_names()) EXPECT_FALSE(walk_path(name, 10).empty()) << name;
 }
 
+TEST(Path, turns_on_the_spot_end_where_they_began) {
+    float yaw = 0, most = 0;
+    for (const PathLeg& leg : walk_path("turns", 10)) {
+        if (leg.goes) {
+            EXPECT_EQ(leg.turn, 0);
+        }
+        yaw += leg.turn * leg.seconds;
+        most = std::max(most, std::fabs(yaw));
+    }
+    EXPECT_EQ(most, 180);
+    EXPECT_EQ(yaw, 0);
+}
+
 TEST(Path, a_minute_of_figures_of_eight_through_the_blend_space_misses_less_than_a_percent_and_2_degrees) {
     for (const float speed : {1.0f, 1.4f}) {
         const auto walker = make_character_walker(character(), {}, walk_path("eight", 60));

@@ -103,6 +103,35 @@ TEST(Walk, slopes_are_walked_up_and_down) {
         }
 }
 
+/// How far a joint of the trunk is turned forward against the flat twin [deg], most over the frames after `from`.
+float most_lean(const std::string& course, bool leans) {
+    const Course slope = make_course(course, 20);
+    const auto walker = generated_walker();
+    const int chest = generated_set().roles[Role::chest];
+    const Walked twin = walk(*walker, Plane(), {1.2f, 8, FootMode::none});
+    WalkRequest request{1.2f, 8, FootMode::surefoot};
+    request.lean = leans;
+    const Walked walked = walk(*walker, *slope.ground, request);
+    const auto chest_in = [&](const Walked& each, std::size_t f) {
+        std::vector<Transform> models(each.motion.skeleton->rest.size());
+        local_to_model(*each.motion.skeleton, each.motion.frame(static_cast<int>(f)), models);
+        return models[static_cast<std::size_t>(chest)].rotation;
+    };
+    float most = 0;
+    for (std::size_t f = 0; f < walked.motion.root.size(); ++f) {
+        const Vec3 turn = to_rotation_vector(chest_in(walked, f) * conjugate(chest_in(twin, f)));
+        if (std::fabs(turn.x) > std::fabs(most)) most = turn.x;
+    }
+    return most * k_degrees_per_radian;
+}
+
+TEST(Walk, the_trunk_leans_a_little_into_a_slope) {
+    EXPECT_GT(most_lean("slope_up", true), 2);
+    EXPECT_LT(most_lean("slope_up", true), 8);
+    EXPECT_LT(most_lean("slope_down", true), -0.8f);
+    EXPECT_EQ(most_lean("slope_up", false), 0);
+}
+
 TEST(Walk, planning_happens_once_a_step_not_once_a_frame) {
     const Course hills = make_course("hills");
     const auto walker = generated_walker();
