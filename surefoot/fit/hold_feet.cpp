@@ -14,10 +14,10 @@ namespace {
 
 using FootPart = GaitSeries::FootPart;
 
-// Of the stance: captured feet set off sooner than contacts say. Feet of families that walk and run, held longer, slide
-// less in a run; of one mode alone, no less, and changes into it jerk more.
-constexpr float k_hold = 0.92f, k_hold_running = 0.94f;
-float share_held(const HarmonicGait& gait) { return gait.basis.modes > 1 ? k_hold_running : k_hold; }
+// Captured feet set off sooner than contacts say. Feet of families that walk and run, held longer, slide less in a run,
+// and lie flat sooner; of one mode alone they slide no less then, and changes into it jerk more.
+constexpr FootHold k_hold{0.92f, 0.11f}, k_hold_running{0.94f, 0.15f};
+const FootHold& hold_for(const HarmonicGait& gait) { return gait.basis.modes > 1 ? k_hold_running : k_hold; }
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -36,11 +36,11 @@ std::array<Vec3, 4> held_print(const HarmonicGait& gait, const GaitRhythm& rhyth
 }
 
 /// Writes the foot's series among `values`, at whose speed and turn it is held, anew.
-void hold_foot(const HarmonicGait& gait, std::span<const float> own, std::size_t side, float hold,
+void hold_foot(const HarmonicGait& gait, std::span<const float> own, std::size_t side, const FootHold& hold,
                std::span<float> values) {
     constexpr int k_samples = 256;
     const GaitRhythm rhythm = rhythm_of(gait, own);
-    const RollingFoot foot(gait, own, rhythm, side, {}, {hold});
+    const RollingFoot foot(gait, own, rhythm, side, {}, hold);
     const GaitSeries series(gait, values);
     constexpr FootPart k_parts[4] = {FootPart::rotation, FootPart::heel, FootPart::ball, FootPart::toes};
     for (const FootPart part : k_parts)
@@ -66,7 +66,7 @@ void hold_foot(const HarmonicGait& gait, std::span<const float> own, std::size_t
 }
 
 /// The numbers of one gait with both feet held.
-std::vector<float> with_held_feet(const HarmonicGait& gait, std::span<const float> own, float hold) {
+std::vector<float> with_held_feet(const HarmonicGait& gait, std::span<const float> own, const FootHold& hold) {
     std::vector<float> values(own.begin(), own.end());
     for (std::size_t side = 0; side < 2; ++side) hold_foot(gait, own, side, hold, values);
     return values;
@@ -89,7 +89,7 @@ HarmonicGait mode_alone(const HarmonicGait& gait, int mode) {
 constexpr std::array<float, 8> k_grid{-1, -0.714f, -0.429f, -0.143f, 0.143f, 0.429f, 0.714f, 1};
 
 /// The coefficients of one mode, its feet held at speeds and turns over the range of its strides.
-std::vector<float> hold_mode(const HarmonicGait& alone, float hold) {
+std::vector<float> hold_mode(const HarmonicGait& alone, const FootHold& hold) {
     const GaitBasis& basis = alone.basis;
     const auto [slowest, fastest] = basis.fitted_speeds[0];
     std::vector<float> powers(at(basis.terms())), values(at(value_count(alone)));
@@ -111,16 +111,17 @@ HarmonicGait holding_feet(const HarmonicGait& gait) {
     if (gait.legs.count == 0) throw Error("the gait has no feet", gait.name, "fit it to a clip with both legs");
     if (gait.basis.climb != 0) throw Error("the gait is made for stairs", gait.name, "hold the feet of its walk");
     HarmonicGait result = gait;
-    result.foot_hold = share_held(gait);
+    const FootHold& hold = hold_for(gait);
+    result.foot_hold = hold.share;
     if (!gait.family()) {
-        result.coefficients = with_held_feet(gait, gait.coefficients, result.foot_hold);
+        result.coefficients = with_held_feet(gait, gait.coefficients, hold);
         round_coefficients(result);
         return result;
     }
     const std::size_t values = at(value_count(gait)),
                       body = values - k_rhythm_values - 2 * at(k_foot_series) * at(1 + 2 * gait.foot_harmonics);
     for (int mode = 0; mode < gait.basis.modes; ++mode) {
-        const std::vector<float> held = hold_mode(mode_alone(gait, mode), result.foot_hold);
+        const std::vector<float> held = hold_mode(mode_alone(gait, mode), hold);
         for (int t = 0; t < gait.basis.terms_of_mode(); ++t) {
             // The body and its rhythm stay as they are.
             const std::size_t to = at(mode * gait.basis.terms_of_mode() + t) * values, from = at(t) * values;

@@ -10,7 +10,7 @@ namespace surefoot {
 /// How long and how flat a foot is held.
 struct FootHold {
     float share = 1;     ///< (0, 1] of its stance, after which it is let go
-    float flat = 0.11f;  ///< [rad] a foot that is pitched by less means to lie flat
+    float flat = 0.13f;  ///< [rad] a foot that is pitched by less means to lie flat
 };
 /// Series that hold their feet already are held for as long, and lie flat but for what they ring by.
 FootHold hold_of(const HarmonicGait& gait) noexcept;

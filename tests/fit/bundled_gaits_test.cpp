@@ -49,7 +49,7 @@ TEST(BundledGaits, played_live_feet_stand_nearly_still) {
         float speed, turn_deg;
         double skate_cm_s;
     } constexpr k_all[] = {{"human", 0.7f, 0, 1.2}, {"human", 1.4f, 0, 1.2},  {"human", 1.4f, 60, 1.2},
-                           {"human", 2.6f, 0, 2},   {"human", 3, 0, 3.5},     {"human", 4.2f, 0, 5},
+                           {"human", 2.6f, 0, 2},   {"human", 3, 0, 3.5},     {"human", 4.2f, 0, 5.5},
                            {"back", 1, 0, 1.2},     {"strafe_left", 1, 0, 2}, {"crouch", 0.74f, 0, 1.2},
                            {"turn", 0, 60, 1.6}};
     for (const auto& [name, speed, turn_deg, most] : k_all) {
