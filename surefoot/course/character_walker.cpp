@@ -10,15 +10,13 @@ namespace {
 struct Going {
     LocomotionState state;
     LocomotionRequest request;
-    RootFrame root, requested;
+    RootFrame root;
 
     LocomotionFrame go(const LocomotionGraph& graph, const LocomotionRequest& wanted, float dt) noexcept {
         request = approach(request, wanted, dt);
         const LocomotionFrame frame = update(graph, state, request, dt);
         root = root * frame.root_delta;
         root.position.y = 0;
-        const Vec3 velocity{request.lateral, 0, request.speed};
-        requested = requested * integrate(velocity, request.turn * k_radians_per_degree, dt);
         return frame;
     }
 };
@@ -35,12 +33,15 @@ class CharacterWalker final : public Walker {
         asked_.lateral = 0;
         steering_.restart();
         now_ = {};
+        requested_ = {};
         now_.request = wanted();
         foresight_.begin(now_);
     }
     void advance(float dt) noexcept override {
         steering_.advance(dt);
         now_.go(character_.graph, wanted(), dt);
+        const LocomotionRequest& asked = now_.request;
+        requested_ = requested_ * integrate({asked.lateral, 0, asked.speed}, asked.turn * k_radians_per_degree, dt);
         foresight_.begin(now_);
     }
     void limit_speed(float mps) noexcept override {
@@ -52,12 +53,12 @@ class CharacterWalker final : public Walker {
         steering_.take_over(asked.turn);
         foresight_.begin(now_);
     }
-    RootFrame requested() const noexcept override { return now_.requested; }
+    RootFrame requested() const noexcept override { return requested_; }
     /// What comes is foreseen from what is asked for now: no later leg of the path is known.
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
         LocomotionFrame frame;
         const Going& there = foresight_.at(
-            now_, ahead, [&](Going& going, float dt) noexcept { frame = going.go(character_.graph, wanted(), dt); });
+            ahead, [&](Going& going, float dt) noexcept { frame = going.go(character_.graph, wanted(), dt); });
         root = there.root;
         pose(character_.graph, frame, locals);
     }
@@ -75,6 +76,7 @@ class CharacterWalker final : public Walker {
     LocomotionRequest asked_;
     Steering steering_;
     Going now_;
+    RootFrame requested_;
     mutable Foresight<Going> foresight_;
 };
 

@@ -56,6 +56,7 @@ class GraphWalker final : public Walker {
     }
     void stand_on(std::uint32_t surface) noexcept override {
         set(program_, now_.state, surface_, static_cast<float>(surface));
+        foresight_.begin(now_);
     }
     void steer(const LocomotionRequest& asked) noexcept override {
         asked_speed_ = asked.speed;
@@ -67,8 +68,7 @@ class GraphWalker final : public Walker {
     float feet() const noexcept override { return now_.feet; }
     /// States stay as they are and parameters go where they are going: no later leg of the path is known.
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
-        const Going& there =
-            foresight_.at(now_, ahead, [this](Going& going, float dt) noexcept { go(going, dt, false); });
+        const Going& there = foresight_.at(ahead, [this](Going& going, float dt) noexcept { go(going, dt, false); });
         root = there.root;
         pose(program_, there.state, frame_, scratch_, locals);
     }

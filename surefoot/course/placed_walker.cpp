@@ -15,6 +15,19 @@ void clean_models(const Walker& walker, const FootRig& rig, std::span<Transform>
     local_to_model(*walker.skeleton(), locals, models);
 }
 
+/// Joints that legs are read from, and all above them, parents first.
+std::vector<int> leg_chain(const FootRig& rig) {
+    std::vector<bool> wanted(rig.parents.size(), false);
+    for (const Leg& leg : rig.legs.side)
+        for (const int end : {leg.foot, leg.toes})
+            for (int j = end; j >= 0; j = rig.parents[static_cast<std::size_t>(j)])
+                wanted[static_cast<std::size_t>(j)] = true;
+    std::vector<int> chain;
+    for (std::size_t j = 0; j < wanted.size(); ++j)
+        if (wanted[j]) chain.push_back(static_cast<int>(j));
+    return chain;
+}
+
 }  // namespace
 
 /// Looks ahead through a walker; scratch is made once.
@@ -23,20 +36,34 @@ class PlacedWalker::Preview final : public LegPreview {
     Preview(const Walker& walker, const FootRig& rig)
         : walker_(walker),
           rig_(rig),
+          chain_(leg_chain(rig)),
           locals_(static_cast<std::size_t>(walker.skeleton()->joint_count())),
           models_(locals_.size()) {}
     void sample(std::span<const float> ahead, std::span<LegsPose> legs,
                 std::span<RootFrame> roots) const noexcept override {
         for (std::size_t i = 0; i < ahead.size(); ++i) {
             walker_.look(ahead[i], roots[i], locals_);
-            clean_models(walker_, rig_, locals_, models_);
+            run_forward();
+            lift_toe_tips(rig_, models_, locals_);
+            for (const Leg& leg : rig_.legs.side)
+                if (leg.toes != k_no_joint) run_forward(leg.toes);
             legs[i] = read_legs(rig_, models_);
         }
     }
 
   private:
+    void run_forward() const noexcept {
+        for (const int joint : chain_) run_forward(joint);
+    }
+    void run_forward(int joint) const noexcept {
+        const auto at = static_cast<std::size_t>(joint);
+        const int parent = rig_.parents[at];
+        models_[at] = parent < 0 ? locals_[at] : models_[static_cast<std::size_t>(parent)] * locals_[at];
+    }
+
     const Walker& walker_;
     const FootRig& rig_;
+    const std::vector<int> chain_;  ///< nothing else of what comes is read
     mutable std::vector<Transform> locals_, models_;
 };
 

@@ -19,7 +19,7 @@ struct FootLeaf {
     float weight;  ///< adds up to 1
     float say;     ///< of the leaf's speed, adds up to 1; 0 for clips without steps
     float time;    ///< [s] of the body
-    int step = 0;
+    int step;
 };
 
 struct FootLeaves {
@@ -30,19 +30,17 @@ struct FootLeaves {
     std::span<const FootLeaf> all() const noexcept { return {leaf, static_cast<std::size_t>(count)}; }
 };
 
-/// The leaves as one side sees them; false where one has no track.
-bool gather(std::span<const PackedClip> clips, const FootBlend& blend, std::size_t side, std::uint32_t step,
-            FootLeaves& leaves) noexcept {
+/// What the leaves are to both sides; false where one has no tracks.
+bool gather(std::span<const PackedClip> clips, const FootBlend& blend, FootLeaves& leaves) noexcept {
     float weights = 0, says = 0;
     for (const Leaf& leaf : blend.leaves) {
         const PackedClip& clip = clips[static_cast<std::size_t>(leaf.clip)];
-        if (clip.feet[side].keys.empty()) return false;
+        if (clip.feet[0].keys.empty() || clip.feet[1].keys.empty()) return false;
         constexpr float k_slowest = 1e-3f;  // [m/s] so that clips that stamp on the spot have a say among themselves
         const float speed = clip.cycles > 0 ? std::max(foot_speed(clip.velocity, clip.turn_rate), k_slowest) : 0.0f;
         FootLeaf& out = leaves.leaf[leaves.count++];
         // What extrapolation takes off has its say about timing, too.
-        out = {&clip, &clip.feet[side], leaf.weight, std::fabs(leaf.weight) * speed, leaf.time};
-        if (clip.cycles > 0) out.step = static_cast<int>(step % static_cast<std::uint32_t>(clip.cycles));
+        out = {&clip, nullptr, leaf.weight, std::fabs(leaf.weight) * speed, leaf.time, 0};
         weights += leaf.weight;
         says += out.say;
     }
@@ -51,6 +49,14 @@ bool gather(std::span<const PackedClip> clips, const FootBlend& blend, std::size
         leaf.say = says > 0 ? leaf.say / says : 0.0f;
     }
     return true;
+}
+
+/// The leaves as one side sees them, which is in its step of that number.
+void turn_to(std::size_t side, std::uint32_t step, FootLeaves& leaves) noexcept {
+    for (FootLeaf& leaf : leaves.all()) {
+        leaf.track = &leaf.clip->feet[side];
+        if (leaf.clip->cycles > 0) leaf.step = static_cast<int>(step % static_cast<std::uint32_t>(leaf.clip->cycles));
+    }
 }
 
 /// Share of the step's phase for which the blended foot stands: a mean by the steps' durations, so that its way on the
@@ -141,17 +147,21 @@ float pace_of(const FootLeaves& leaves, const FootBlend& blend) noexcept {
     return pace > 0 ? std::clamp(pace, 1 / k_most_pace, k_most_pace) : 1.0f;
 }
 
-struct LegModels {
-    std::array<Transform, LegPaths::k_most> at;
+class LegModels {
+  public:
+    Transform& at(int slot) noexcept { return reinterpret_cast<Transform*>(memory_)[slot]; }
+    const Transform& at(int slot) const noexcept { return reinterpret_cast<const Transform*>(memory_)[slot]; }
+    Quat rotation(int slot) const noexcept { return slot < 0 ? Quat{} : at(slot).rotation; }
+    Vec3 place(int slot) const noexcept { return at(slot).translation; }
 
-    Quat rotation(int slot) const noexcept { return slot < 0 ? Quat{} : at[static_cast<std::size_t>(slot)].rotation; }
-    Vec3 place(int slot) const noexcept { return at[static_cast<std::size_t>(slot)].translation; }
+  private:
+    alignas(Transform) std::byte memory_[LegPaths::k_most * sizeof(Transform)];  // not worth constructing
 };
 
 void run_forward(const LegPaths& paths, std::span<const Transform> locals, LegModels& models) noexcept {
     for (std::size_t i = 0; i < static_cast<std::size_t>(paths.count); ++i) {
         const Transform& local = locals[static_cast<std::size_t>(paths.joint[i])];
-        models.at[i] = paths.parent[i] < 0 ? local : models.at[static_cast<std::size_t>(paths.parent[i])] * local;
+        models.at(static_cast<int>(i)) = paths.parent[i] < 0 ? local : models.at(paths.parent[i]) * local;
     }
 }
 
@@ -248,15 +258,17 @@ void reach_feet(const LegPaths& paths, const std::array<FootGoal, 2>& feet, std:
 void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
                 std::span<Transform> locals) noexcept {
     if (paths.count == 0) return;
+    FootLeaves leaves;
+    if (!gather(clips, blend, leaves)) return;
+    const float pace = pace_of(leaves, blend);
     std::array<FootKey, 2> feet;
     for (std::size_t side = 0; side < 2; ++side) {
         const float strike = side == 0 ? 0.0f : 0.5f, after = blend.phase - strike;
         // Counted from well above zero, so that the step before the first one has a number too.
         constexpr std::uint32_t k_far = 27720;  // a multiple of every small cycle count
-        FootLeaves leaves;
-        if (!gather(clips, blend, side, blend.cycle + k_far - (after < 0), leaves)) return;
+        turn_to(side, blend.cycle + k_far - (after < 0), leaves);
         FootKey& key = feet[side] = mean_key(paths.side[side], leaves, strike, after < 0 ? after + 1 : after);
-        const RootFrame moved = integrate(blend.velocity, blend.turn, key.age / pace_of(leaves, blend));
+        const RootFrame moved = integrate(blend.velocity, blend.turn, key.age / pace);
         key.print = inverse(to_transform(moved)) * key.print;
     }
     reach_feet(paths, {FootGoal{feet[0].print, feet[0].toes}, FootGoal{feet[1].print, feet[1].toes}}, locals);

@@ -85,10 +85,12 @@ void look_along(const FootRig& rig, PaceState& pace, double clock, const GroundP
     pace.from = std::max({pace.limit < k_no_speed_limit ? pace.from : 0, speed, k_usual});
     float limit = k_no_speed_limit;
     for (int i = 0; i < k_places; ++i) {
+        const float away = std::max(k_spacing * static_cast<float>(i) - k_behind, 0.0f);
+        // So far off that there is time yet, whatever is there.
+        if (k_slowest * k_slowest + 2 * k_braking * away >= pace.from * pace.from) break;
         const float bears = longest_step(heights, i, leg_length);
         if (bears >= k_no_speed_limit) continue;
         const float there = std::max(bears * pace.cadence, k_slowest);
-        const float away = std::max(k_spacing * static_cast<float>(i) - k_behind, 0.0f);
         if (there * there + 2 * k_braking * away < pace.from * pace.from) limit = std::min(limit, there);
     }
     // The edges of stairs lie now so, now so to where the root is: what counts is the least over a tread.
