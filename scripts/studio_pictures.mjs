@@ -16,6 +16,9 @@ const pictures = [
     settings: { course: 'hills', camera: 'feet', 'overlay.axes': true, 'overlay.hips': true } },
   { name: 'studio_space', viewport: desktop, colorScheme: 'light', settings: { workspace: 'space' } },
   { name: 'studio_space_dark', viewport: desktop, colorScheme: 'dark', settings: { workspace: 'space' } },
+  { name: 'studio_gait', viewport: desktop, colorScheme: 'light', settings: { workspace: 'gait', camera: 'side' } },
+  { name: 'studio_gait_dark', viewport: desktop, colorScheme: 'dark', settings: { workspace: 'gait', camera: 'side' } },
+  { name: 'studio_gait_phone', viewport: phone, colorScheme: 'light', settings: { workspace: 'gait', camera: 'side' } },
   { name: 'studio_phone', viewport: phone, colorScheme: 'light', settings: { course: 'rubble' } },
 ];
 

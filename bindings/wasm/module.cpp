@@ -3,6 +3,7 @@
 // Calls that produce a text leave it where sf_text() and sf_text_size() say, until the next call. They return 0, or 1
 // where the text is an error message.
 
+#include "gait_desk.h"
 #include "scenario.h"
 #include "space_desk.h"
 #include "stage.h"
@@ -22,6 +23,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 #define SUREFOOT_EXPORT(name) __attribute__((used, export_name(#name)))
 
@@ -44,6 +46,7 @@ surefoot::BlendSpace g_space;
 std::map<std::string, std::string> g_files;
 std::unique_ptr<surefoot::wasm::Stage> g_stage;
 std::unique_ptr<surefoot::wasm::SpaceDesk> g_desk;
+std::unique_ptr<surefoot::wasm::GaitDesk> g_gait;  // none before a gait is asked for
 
 /// Arrays that stay in the module's memory, for views upon them: sf_array.
 enum Array {
@@ -90,6 +93,7 @@ std::span<const std::byte> bytes_of(int array) {
 std::string put_on_stage(surefoot::wasm::Opened opened) {
     auto stage = std::make_unique<surefoot::wasm::Stage>(std::move(opened.character));
     g_desk = std::make_unique<surefoot::wasm::SpaceDesk>(std::move(opened.project), std::move(opened.poses));
+    g_gait.reset();
     g_stage = std::move(stage);
     return g_stage->describe();
 }
@@ -102,6 +106,11 @@ surefoot::wasm::SpaceDesk& desk() {
 surefoot::wasm::Stage& stage() {
     if (!g_stage) throw surefoot::Error("there is no character yet", "", "open one first");
     return *g_stage;
+}
+
+surefoot::wasm::GaitDesk& gait_desk() {
+    if (!g_gait) throw surefoot::Error("there is no gait yet", "", "read one first");
+    return *g_gait;
 }
 
 }  // namespace
@@ -236,6 +245,51 @@ SUREFOOT_EXPORT(sf_threshold) int sf_threshold(const char* text, std::size_t siz
 /// Text: which clips play at a place of a space, in axis units (SpaceDesk::weights).
 SUREFOOT_EXPORT(sf_blend) int sf_blend(int space, const float* at, int dimensions) {
     return guarded([&] { return desk().weights(space, {at, static_cast<std::size_t>(std::max(dimensions, 0))}); });
+}
+
+/// Text: the bundled gaits (gaits_json).
+SUREFOOT_EXPORT(sf_gaits) int sf_gaits() {
+    return guarded([] { return surefoot::wasm::gaits_json(); });
+}
+
+/// Text: the source of a bundled gait.
+SUREFOOT_EXPORT(sf_gait_source) int sf_gait_source(const char* name, std::size_t size) {
+    return guarded([&] {
+        const std::string_view text = surefoot::bundled_gait({name, size});
+        if (text.empty()) throw surefoot::Error("there is no such gait", std::string(name, size), "");
+        return std::string(text);
+    });
+}
+
+/// A gait for the character on the stage, which goes in it from now on. Text: what it is (GaitDesk::describe). After an
+/// error all is as it was.
+SUREFOOT_EXPORT(sf_gait_read) int sf_gait_read(const char* text, std::size_t size) {
+    return guarded([&] {
+        if (!g_gait) g_gait = std::make_unique<surefoot::wasm::GaitDesk>(stage().character());
+        g_gait->read({text, size});
+        stage().play(g_gait->motion());
+        return g_gait->describe();
+    });
+}
+
+/// The same gait with other values, one a parameter. Text: what it then does (GaitDesk::played).
+SUREFOOT_EXPORT(sf_gait_play)
+int sf_gait_play(const double* values, int count, double speed_mps, double turn_deg_s) {
+    return guarded([&] {
+        gait_desk().play({values, static_cast<std::size_t>(std::max(count, 0))}, speed_mps, turn_deg_s);
+        stage().play(gait_desk().motion());
+        return gait_desk().played();
+    });
+}
+
+/// The character goes by its own clips again.
+SUREFOOT_EXPORT(sf_gait_stop) void sf_gait_stop() {
+    if (g_stage) g_stage->stop_playing();
+}
+
+/// Text: the gait's clip as the bytes of a file, 0 BVH, 1 GLB.
+SUREFOOT_EXPORT(sf_gait_file) int sf_gait_file(int format) {
+    return guarded([&] { return format == 0 ? gait_desk().bvh() : gait_desk().glb(); });
 }
 
 /// Where an array begins and how many bytes it has; valid until the next call that opens, or changes the course.

@@ -21,6 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr Extent k_shown{-24, 24, -16, 72};
+constexpr float k_margin = 6;                    // [m] of shown ground that stays ahead of who nobody steers
 constexpr Extent k_shown_rubble{-9, 9, -6, 58};  // thirty centimetres a tile: many triangles
 
 /// What lies where in a frame, in floats. The names are those of surefoot.d.mts; a test holds the two together.
@@ -31,6 +32,7 @@ enum Place : std::size_t {
     k_turn,                // [deg/s]
     k_speed_limit,         // [m/s] of foot placement; 0: none
     k_hips,                // height over the ground under the root [m]
+    k_phase,               // share of the cycle that is played (Stage::play); else 0
     k_feet,                // two of k_foot_floats
     k_foot_floats = 36,
     k_joints = k_feet + 2 * k_foot_floats  // 16 a joint: 4x4, column-major, world
@@ -152,6 +154,7 @@ std::string Stage::describe() const {
                    {"turn", k_turn},
                    {"speedLimit", k_speed_limit},
                    {"hips", k_hips},
+                   {"phase", k_phase},
                    {"feet", k_feet},
                    {"footFloats", k_foot_floats},
                    {"joints", k_joints}};
@@ -185,15 +188,43 @@ std::string Stage::describe() const {
 void Stage::set_course(const std::string& name, float grade_deg) {
     course_ = make_course(name, grade_deg, false, name == "rubble" ? k_shown_rubble : k_shown);
     grade_ = grade_deg;
+    put_on_course();
+}
+
+void Stage::put_on_course() {
     FootSettings settings;
-    settings.mode = mode_;
-    placed_ = std::make_unique<PlacedWalker>(*walker_, *course_.ground, settings);
+    settings.mode = cycle_ ? FootMode::none : mode_;
+    Walker& walker = cycle_ ? *cycle_ : *walker_;
+    placed_ = std::make_unique<PlacedWalker>(walker, *course_.ground, settings);
     restart();
+}
+
+void Stage::play(Motion cycle) {
+    if (cycle_) {
+        cycle_->change(std::move(cycle));
+        return;
+    }
+    cycle_ = std::make_unique<CycleWalker>(std::move(cycle), character_.legs);
+    set_course("flat", grade_);
+}
+
+void Stage::stop_playing() {
+    if (!cycle_) return;
+    const std::unique_ptr<CycleWalker> gone = std::move(cycle_);
+    put_on_course();
+}
+
+/// A cycle that nobody steers comes to the end of what is shown of its ground.
+bool Stage::is_off_course() const noexcept {
+    const Vec3 at = placed_->root().position;
+    return at.x < k_shown.x0 + k_margin || at.x > k_shown.x1 - k_margin || at.z < k_shown.z0 + k_margin ||
+           at.z > k_shown.z1 - k_margin;
 }
 
 void Stage::set_mode(FootMode mode) noexcept {
     if (mode == mode_) return;
     mode_ = mode;
+    if (cycle_) return;
     placed_->set_mode(mode);
     rolling_.clear();
     parts_done_ = 0;
@@ -227,6 +258,7 @@ void Stage::restart() {
 void Stage::advance(int frames, int parts) {
     const float dt = 1 / (k_walk_fps * static_cast<float>(parts));
     for (int f = 0; f < frames; ++f) {
+        if (cycle_ && is_off_course()) restart();
         const RootFrame before = placed_->root();
         walker_->steer(patrols_ ? patrol_.ask(before, patrol_speed_) : asked_);
         placed_->advance(dt);
@@ -273,6 +305,8 @@ void Stage::write_frame() {
     for (std::size_t j = 0; j < models_.size(); ++j) put(frame_, k_joints + 16 * j, models_[j]);
     const TrackFrame now = track_frame(root, models_, character_.legs);
     frame_[k_hips] = now.hips.y - root.position.y;
+
+    frame_[k_phase] = cycle_ ? static_cast<float>(cycle_->share()) : 0;
 
     std::vector<Transform> flat(placed_->unplaced().begin(), placed_->unplaced().end());
     const TrackFrame twin = track_frame({}, flat, character_.legs);

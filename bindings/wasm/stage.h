@@ -4,6 +4,7 @@
 
 #include <surefoot/author/lint.h>
 #include <surefoot/bake/character.h>
+#include <surefoot/course/cycle_walker.h>
 #include <surefoot/course/patrol.h>
 #include <surefoot/course/placed_walker.h>
 #include <surefoot/course/rolling_metrics.h>
@@ -46,6 +47,12 @@ class Stage {
     void steer(float speed, float lateral, float turn) noexcept;
     void patrol(float speed) noexcept;
     void restart();
+    /// From now on it goes in this cycle instead, of its own skeleton: on flat ground, feet not placed, steered by
+    /// nobody. Further calls change the cycle on the way. Throws Error for what is no cycle.
+    void play(Motion cycle);
+    /// By its own clips again, on the course that it is on, from the start.
+    void stop_playing();
+    const Character& character() const noexcept { return character_; }
     /// `frames` of 1/60 s, or of a `parts`th of that each: slow motion.
     void advance(int frames, int parts = 1);
 
@@ -60,12 +67,15 @@ class Stage {
 
   private:
     void bind_mesh();
+    void put_on_course();
+    bool is_off_course() const noexcept;
     void write_frame();
 
     Character character_;
     Mesh mesh_;
     std::vector<float> inverse_bind_, frame_;
     std::unique_ptr<Walker> walker_;
+    std::unique_ptr<CycleWalker> cycle_;  ///< goes instead of it, if there is one
     std::unique_ptr<PlacedWalker> placed_;
     Course course_;
     float grade_ = 15;

@@ -23,6 +23,12 @@ export interface Exports {
   sf_spaces(): number;
   sf_threshold(text: number, size: number): number;
   sf_blend(space: number, at: number, dimensions: number): number;
+  sf_gaits(): number;
+  sf_gait_source(name: number, size: number): number;
+  sf_gait_read(text: number, size: number): number;
+  sf_gait_play(values: number, count: number, speed: number, turn: number): number;
+  sf_gait_stop(): void;
+  sf_gait_file(format: number): number;
   sf_array(array: number): number;
   sf_array_bytes(array: number): number;
 }
@@ -58,6 +64,8 @@ export interface FrameLayout {
   speedLimit: number;
   /** [m] of the hips over the ground under the root */
   hips: number;
+  /** Share of the cycle of a gait that is shaped; else 0 */
+  phase: number;
   /** left, then right; `footFloats` each */
   feet: number;
   footFloats: number;
@@ -167,6 +175,52 @@ export interface SpacesFacts {
   placeholders: Placeholder[];
 }
 
+export interface GaitParameter {
+  name: string;
+  initial: number;
+  low: number;
+  high: number;
+  unit: string;
+  group: string;
+  help: string;
+}
+
+export interface GaitPreset {
+  name: string;
+  help: string;
+  /** One a parameter. */
+  values: number[];
+}
+
+/** A gait as its text says it. */
+export interface GaitFacts {
+  name: string;
+  help: string;
+  parameters: GaitParameter[];
+  presets: GaitPreset[];
+  warnings: string[];
+}
+
+/** What a gait does with the values that it plays with. */
+export interface GaitPlayed {
+  /** [s] a cycle of the character */
+  duration: number;
+  /** [m/s] */
+  speed: number;
+  /** [deg/s] */
+  turn: number;
+  /** [m] a cycle */
+  stride: number;
+  /** [m/s] of planted feet; null where none is */
+  skate: number | null;
+  /** [s] of the curves' values; the last is one period after the first */
+  times: number[];
+  /** [s] a cycle of the body that the gait is written for */
+  period: number;
+  /** Its controls over a cycle. */
+  curves: { name: string; unit: string; values: (number | null)[] }[];
+}
+
 export interface Arrays {
   frame: Float32Array;
   positions: Float32Array;
@@ -204,6 +258,16 @@ export interface Surefoot {
   resetThresholds(): SpacesFacts;
   /** Which clips play at a place of a space, heaviest first. */
   blend(space: number, at: number[]): { clip: string; weight: number }[];
+  /** The bundled gaits, and the text of one. */
+  gaits(): { name: string; help: string }[];
+  gaitSource(name: string): string;
+  /** The character goes in this gait from now on. Throws with line, column and a caret, and all stays as it was. */
+  gaitRead(text: string): GaitFacts;
+  /** One value a parameter; speeds of 0 are the gait's own. */
+  gaitPlay(values: number[], speed: number, turn: number): GaitPlayed;
+  gaitStop(): void;
+  /** The gait's clip as a file. */
+  gaitFile(format: 'bvh' | 'glb'): Uint8Array<ArrayBuffer>;
   array<Name extends keyof Arrays>(name: Name): Arrays[Name];
 }
 

@@ -161,6 +161,38 @@ class Surefoot {
     return this.#with([point], (place) => JSON.parse(this.#text(this.#c.sf_blend(space, place, point.length))));
   }
 
+  gaits() {
+    return JSON.parse(this.#text(this.#c.sf_gaits()));
+  }
+
+  gaitSource(name) {
+    const bytes = new TextEncoder().encode(name);
+    return this.#with([bytes], (at) => this.#text(this.#c.sf_gait_source(at, bytes.length)));
+  }
+
+  /** The character goes in the gait of this text from now on. */
+  gaitRead(text) {
+    const bytes = new TextEncoder().encode(text);
+    return this.#with([bytes], (at) => JSON.parse(this.#text(this.#c.sf_gait_read(at, bytes.length))));
+  }
+
+  /** In the same gait with other values, one a parameter; speeds of 0 are its own. */
+  gaitPlay(values, speed, turn) {
+    return this.#with([new Float64Array(values)], (at) =>
+      JSON.parse(this.#text(this.#c.sf_gait_play(at, values.length, speed, turn))),
+    );
+  }
+
+  /** By its own clips again. */
+  gaitStop() {
+    this.#c.sf_gait_stop();
+  }
+
+  /** The gait's clip as the bytes of a file, 'bvh' or 'glb'. */
+  gaitFile(format) {
+    return this.#bytes(this.#c.sf_gait_file(format === 'bvh' ? 0 : 1));
+  }
+
   #threshold(text) {
     const bytes = new TextEncoder().encode(text);
     return this.#with([bytes], (at) => JSON.parse(this.#text(this.#c.sf_threshold(at, bytes.length))));
@@ -202,10 +234,13 @@ class Surefoot {
   }
 
   #text(status) {
-    const bytes = new Uint8Array(this.#c.memory.buffer, this.#c.sf_text(), this.#c.sf_text_size());
-    const text = new TextDecoder().decode(bytes);
-    if (status !== 0) throw new Error(text);
-    return text;
+    return new TextDecoder().decode(this.#bytes(status));
+  }
+
+  #bytes(status) {
+    const bytes = new Uint8Array(this.#c.memory.buffer, this.#c.sf_text(), this.#c.sf_text_size()).slice();
+    if (status !== 0) throw new Error(new TextDecoder().decode(bytes));
+    return bytes;
   }
 }
 

@@ -367,6 +367,106 @@ await test('blend space: findings are those of surefoot lint, and move with thei
   assert.deepEqual(complaints, []);
 });
 
+/** A change of a control that shows only after the engine has answered. */
+const untilGait = (page, name, sign, value) =>
+  page.waitForFunction(
+    ([name, sign, value]) => {
+      const text = document.querySelector('.panel .keys')?.textContent ?? '';
+      const now = { speed: parseFloat(text), stride: parseFloat(/stride ([\d.]+)/.exec(text)?.[1] ?? 'NaN') }[name];
+      return sign === '>' ? now > value : now < value;
+    },
+    [name, sign, value],
+    { timeout: 30000 },
+  );
+
+await test('gait: a slider changes poses, which have the same bits as natively', async () => {
+  const native = execFileSync(twin, ['gait'], { maxBuffer: 1 << 28 });
+  const { page, complaints } = await openPage(site.url, { settings: { workspace: 'gait' } });
+  await page.getByLabel('df', { exact: true }).waitFor();
+  // By hand first: a slider lifts the feet of the character in the picture.
+  const highest = () => page.evaluate(async () => {
+    const { session } = globalThis.studio, at = session.facts.value.layout;
+    session.playing.value = false;
+    let top = 0;
+    for (let f = 0; f < 80; ++f) {
+      await session.step(1);
+      for (const side of [0, 1]) top = Math.max(top, session.frame[at.feet + side * at.footFloats + at.foot.ankle + 1]);
+    }
+    return top;
+  });
+  const before = await highest();
+  await page.getByLabel('df', { exact: true }).fill('0.3');
+  await page.waitForFunction(() => JSON.parse(localStorage.getItem('surefoot.studio.gait')).values.df === 0.3);
+  const after = await highest();
+  console.log(`    ankles rise to ${before.toFixed(3)} m, with df = 0.3 to ${after.toFixed(3)} m`);
+  assert.ok(after > before + 0.1);
+  const hash = await page.evaluate(async () => {
+    const { engine } = globalThis.studio;
+    await engine.call('gaitStop');
+    await engine.call('openDefault');
+    const facts = await engine.call('gaitRead', await engine.call('gaitSource', 'bhatti2017'));
+    const values = (changes) => facts.parameters.map((each) => changes[each.name] ?? each.initial);
+    const frames = [];
+    // As tests/wasm/twin.cpp plays it.
+    for (const [changes, speed, turn] of [[{}, 0, 0], [{ df: 0.2 }, 0, 0], [{ df: 0.2, Shgt: 0.6 }, 1.1, 20]]) {
+      await engine.call('gaitPlay', values(changes), speed, turn);
+      for (let f = 0; f < 100; ++f) frames.push((await engine.advance(1, 1, { patrol: 1 })).slice());
+    }
+    const all = await crypto.subtle.digest('SHA-256', await new Blob(frames).arrayBuffer());
+    return [...new Uint8Array(all)].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+  });
+  assert.equal(hash, createHash('sha256').update(native).digest('hex'));
+  assert.deepEqual(complaints, []);
+});
+
+await test('gait: presets, undo, text with a mistake and without, all kept over a reload, saved as files', async () => {
+  const { page, complaints } = await openPage(site.url, { settings: { workspace: 'gait' } });
+  await untilGait(page, 'speed', '>', 1);
+  await page.getByLabel('Preset').selectOption('run');
+  await untilGait(page, 'speed', '>', 3);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await untilGait(page, 'speed', '<', 2);
+  await page.getByRole('button', { name: 'Redo' }).press('Enter');
+  await untilGait(page, 'speed', '>', 3);
+  await page.locator('.panel h2').first().click();
+  await page.keyboard.press('Control+z');
+  await untilGait(page, 'speed', '<', 2);
+  // A mistake is shown with its place, and the character goes on.
+  const area = page.getByLabel(/^Expressions of/);
+  const text = await area.inputValue();
+  const line = text.slice(0, text.indexOf('let ownStride')).split('\n').length;
+  await area.fill(text.replace('let ownStride = (', 'let ownStride = ('.replace('(', '( * ')));
+  await page.locator('#gait-complaint.bad').getByText(`line:${line}:`).waitFor();
+  assert.match(await page.locator('#gait-complaint').textContent(), /\n *\^/, 'a caret shows where');
+  const { time } = await state(page);
+  await untilState(page, 'time', '>', time + 0.3);
+  // Mended and changed: half the stride.
+  await area.fill(text.replace('let ownStride = (SlgtR + SlgtL) / 2', 'let ownStride = (SlgtR + SlgtL) / 4'));
+  await untilGait(page, 'stride', '<', 1);
+  assert.equal(await page.locator('#gait-complaint.bad').count(), 0);
+  await page.reload();
+  await untilItMoves(page);
+  await untilGait(page, 'stride', '<', 1);
+  assert.ok((await area.inputValue()).includes('/ 4'));
+  for (const [name, begins] of [['GLB', 'glTF'], ['BVH', 'HIERARCHY'], ['Text', '# The model']]) {
+    const download = page.waitForEvent('download');
+    await page.getByRole('button', { name, exact: true }).click();
+    const content = readFileSync(await (await download).path());
+    assert.equal(content.subarray(0, begins.length).toString(), begins);
+    if (name === 'Text') continue;
+    const file = path.join(scratch, `gait.${name.toLowerCase()}`);
+    writeFileSync(file, content);
+    const [facts] = JSON.parse(execFileSync(program, ['analyze', file, '--json'], { encoding: 'utf8' })).clips;
+    console.log(`    ${name}: ${facts.speed_mps.toFixed(2)} m/s, stride ${facts.stride_m?.toFixed(2)} m`);
+    assert.ok(Math.abs(facts.speed_mps - 0.7) < 0.15, `${facts.speed_mps}`);
+  }
+  // Back on a course it goes by its own clips.
+  await page.getByRole('tab', { name: 'Terrain' }).click();
+  await page.waitForFunction(() => globalThis.studio.session.shownCourse() === 'hills');
+  await untilState(page, 'speed', '>', 1.2);
+  assert.deepEqual(complaints, []);
+});
+
 await test('a folder without a project, and a broken one, are refused in words and the character walks on', async () => {
   const { page, complaints } = await openPage(site.url);
   const folder = path.join(scratch, 'broken');

@@ -130,6 +130,53 @@ test('blend spaces, findings under another threshold, and weights are the same t
   for (const [name, value] of Object.entries(names)) assert.deepEqual(Object.keys(value).sort(), keys(name), name);
 });
 
+test('a gait that is shaped while it goes has the same bits as natively, frame by frame', () => {
+  const native = execFileSync(twinFile, ['gait'], { maxBuffer: 1 << 28 });
+  surefoot.openDefault();
+  const facts = surefoot.gaitRead(surefoot.gaitSource('bhatti2017'));
+  const values = (changes) => facts.parameters.map((each) => changes[each.name] ?? each.initial);
+  let at = 0;
+  for (const [changes, speed, turn] of [[{}, 0, 0], [{ df: 0.2 }, 0, 0], [{ df: 0.2, Shgt: 0.6 }, 1.1, 20]]) {
+    surefoot.gaitPlay(values(changes), speed, turn);
+    for (let f = 0; f < 100; ++f) {
+      surefoot.advance(1);
+      const frame = surefoot.array('frame');
+      const bytes = Buffer.from(frame.buffer, frame.byteOffset, frame.byteLength);
+      assert.ok(bytes.equals(native.subarray(at, at + bytes.length)), `the frame at byte ${at}`);
+      at += bytes.length;
+    }
+  }
+  assert.equal(at, native.length);
+});
+
+test('gaits have all that surefoot.d.mts declares, can be saved, and a bad text changes nothing', () => {
+  surefoot.openDefault();
+  assert.throws(() => surefoot.gaitPlay([], 0, 0), /no gait yet/);
+  for (const { name } of surefoot.gaits()) surefoot.gaitRead(surefoot.gaitSource(name));
+  const facts = surefoot.gaitRead(surefoot.gaitSource('bhatti2017'));
+  const initial = facts.parameters.map((each) => each.initial);
+  const played = surefoot.gaitPlay(initial, 0, 0);
+  const names = { GaitFacts: facts, GaitParameter: facts.parameters[0], GaitPreset: facts.presets[0], GaitPlayed: played };
+  for (const [name, value] of Object.entries(names)) assert.deepEqual(Object.keys(value).sort(), keys(name), name);
+  assert.throws(() => surefoot.gaitRead('gait x\nparameter a = 1 +'), /:2:\d+[^]*\^/);
+  assert.throws(() => surefoot.gaitSource('moonwalk'), /no such gait/);
+  assert.deepEqual(surefoot.gaitPlay(initial, 0, 0), played);
+  const saved = surefoot.analyzeBvh(new TextDecoder().decode(surefoot.gaitFile('bvh')));
+  assert.ok(Math.abs(saved.speed_mps - played.speed) < 0.02, `${saved.speed_mps} and ${played.speed}`);
+  assert.equal(new TextDecoder().decode(surefoot.gaitFile('glb').subarray(0, 4)), 'glTF');
+  // Who stops goes by its own clips, as if nothing had been.
+  surefoot.gaitStop();
+  surefoot.setCourse('flat', 15);
+  surefoot.patrol(1);
+  surefoot.advance(120);
+  const after = surefoot.array('frame').slice();
+  surefoot.openDefault();
+  surefoot.setCourse('flat', 15);
+  surefoot.patrol(1);
+  surefoot.advance(120);
+  assert.deepEqual(surefoot.array('frame').slice(), after);
+});
+
 test('figures come after two seconds, and errors leave the stage as it was', () => {
   const facts = surefoot.openDefault();
   assert.equal(surefoot.metrics(), null);

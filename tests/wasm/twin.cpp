@@ -1,6 +1,7 @@
 // The native twin of the WebAssembly module, for smoke_test.mjs to compare with: prints the hashes of the same
 // scenarios, or the BVH text or the facts of the example clip.
 
+#include <bindings/wasm/gait_desk.h>
 #include <bindings/wasm/scenario.h>
 #include <bindings/wasm/space_desk.h>
 #include <bindings/wasm/stage.h>
@@ -13,6 +14,8 @@
 
 #include <cstdio>
 #include <cstring>
+#include <string>
+#include <vector>
 
 /// The frames of a stage as bytes, one after the other: as tests/studio and smoke_test.mjs play it.
 void write_stage() {
@@ -44,7 +47,27 @@ void write_spaces() {
     std::printf("%s\n%s\n", desk.describe().c_str(), desk.weights(0, at).c_str());
 }
 
-// wasm_twin scenarios | bvh | facts (the facts of the clip that `bvh` prints) | stage | spaces
+/// The frames of a gait as bytes, as tests/studio and smoke_test.mjs play it: at first as it is, then shaped.
+void write_gait() {
+    surefoot::wasm::Stage stage(surefoot::wasm::open_default().character);
+    surefoot::wasm::GaitDesk desk(stage.character());
+    desk.read(surefoot::bundled_gait("bhatti2017"));
+    stage.play(desk.motion());
+    const surefoot::Gait gait = surefoot::read_gait(surefoot::bundled_gait("bhatti2017"), "bhatti2017");
+    const auto play = [&](const std::vector<std::string>& set, double speed, double turn) {
+        desk.play(surefoot::gait_values(gait, "", set), speed, turn);
+        stage.play(desk.motion());
+        for (int f = 0; f < 100; ++f) {
+            stage.advance(1);
+            std::fwrite(stage.frame().data(), 1, stage.frame().size_bytes(), stdout);
+        }
+    };
+    play({}, 0, 0);
+    play({"df=0.2"}, 0, 0);
+    play({"df=0.2", "Shgt=0.6"}, 1.1, 20);
+}
+
+// wasm_twin scenarios | bvh | facts (the facts of the clip that `bvh` prints) | stage | spaces | gait
 int main(int argc, char** argv) {
     const char* what = argc > 1 ? argv[1] : "scenarios";
     if (std::strcmp(what, "scenarios") == 0) {
@@ -53,6 +76,10 @@ int main(int argc, char** argv) {
     }
     if (std::strcmp(what, "stage") == 0) {
         write_stage();
+        return 0;
+    }
+    if (std::strcmp(what, "gait") == 0) {
+        write_gait();
         return 0;
     }
     if (std::strcmp(what, "spaces") == 0) {

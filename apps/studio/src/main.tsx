@@ -10,6 +10,7 @@ import { isDark } from './view/theme';
 import { ProblemCard } from './ui/problem';
 import { Timeline } from './ui/timeline';
 import { Viewport } from './ui/viewport';
+import { GaitDesk, gaitKeys, GaitPanel, loadGait } from './workspaces/gait';
 import { loadSpaces, SpaceMap, SpacePanel } from './workspaces/space';
 import { TerrainPanel } from './workspaces/terrain';
 
@@ -44,6 +45,7 @@ function OpenButton() {
 }
 
 const k_workspaces: { value: Workspace; label: string }[] = [
+  { value: 'gait', label: 'Gait' },
   { value: 'space', label: 'Blend space' },
   { value: 'terrain', label: 'Terrain' },
 ];
@@ -103,10 +105,11 @@ function Studio() {
       </header>
       <main>
         {workspace.value === 'space' && <SpaceMap />}
+        {workspace.value === 'gait' && <GaitDesk />}
         <Viewport />
       </main>
       <div class="panel" id="panel" role="tabpanel" aria-labelledby={`tab-${workspace.value}`} hidden={!panelOpen.value}>
-        {workspace.value === 'terrain' ? <TerrainPanel /> : <SpacePanel />}
+        {workspace.value === 'terrain' ? <TerrainPanel /> : workspace.value === 'space' ? <SpacePanel /> : <GaitPanel />}
       </div>
       <Timeline />
       <ProblemCard />
@@ -122,6 +125,12 @@ effect(() => {
   const where = workspace.value, known = session.facts.value;
   if (!known) return;
   untracked(() => {
+    if (where === 'gait') {
+      session.hold(null);
+      void loadGait();
+      return;
+    }
+    void session.engine.call('gaitStop');
     if (where === 'space') {
       void session.showCourse('flat', gradeDeg.value);
       void loadSpaces();
@@ -132,6 +141,7 @@ effect(() => {
   });
 });
 listen();
+addEventListener('keydown', (event) => session.showsGait() && gaitKeys(event));
 const app = document.getElementById('app')!;
 app.textContent = '';
 render(<Studio />, app);

@@ -2,7 +2,7 @@
 import { batch, signal } from '@preact/signals';
 import { EngineClient } from './engine/engine';
 import type { CharacterFacts, CharacterMesh, FigureValue, FootMode, Steering, TerrainMesh } from './engine/messages';
-import { course, gradeDeg, mode, patrolSpeed, slowness } from './settings';
+import { course, gradeDeg, mode, patrolSpeed, slowness, workspace } from './settings';
 import { History } from './history';
 
 /** A failure in words, and what the user can do about it. */
@@ -99,6 +99,20 @@ export async function showCourse(name: string, grade: number): Promise<boolean> 
     fail('This course cannot be walked', error);
     return false;
   }
+}
+
+export const showsGait = () => workspace.value === 'gait';
+
+/** The engine has gone to another ground by itself: that of a gait. */
+export async function showNewGround(): Promise<void> {
+  const ground = await engine.call('ground');
+  shown = '';
+  batch(() => {
+    terrain.value = ground;
+    figures.value = null;
+  });
+  history.clear();
+  await step(0);
 }
 
 export function setMode(wanted: FootMode): void {

@@ -30,11 +30,11 @@ const isNumberIn = (low: number, high: number) => (value: unknown) =>
   typeof value === 'number' && value >= low && value <= high;
 
 export type Theme = 'system' | 'light' | 'dark';
-export type Workspace = 'terrain' | 'space';
+export type Workspace = 'terrain' | 'space' | 'gait';
 export type CameraView = 'follow' | 'side' | 'front' | 'feet';
 export const k_rates = [1, 2, 4, 10] as const;
 
-export const workspace = kept<Workspace>('workspace', 'terrain', isOneOf('terrain', 'space'));
+export const workspace = kept<Workspace>('workspace', 'terrain', isOneOf('terrain', 'space', 'gait'));
 export const theme = kept<Theme>('theme', 'system', isOneOf('system', 'light', 'dark'));
 export const course = kept<string>('course', 'hills', (value) => typeof value === 'string');
 export const gradeDeg = kept<number>('grade', 15, isNumberIn(0, 45));
@@ -50,3 +50,22 @@ export const overlays = {
   contacts: kept('overlay.contacts', true, isFlag),
   footholds: kept('overlay.footholds', true, isFlag),
 };
+
+/** What was made of a gait: kept, so that it survives a reload. */
+export interface GaitWork {
+  /** Of the bundled gait that it began as. */
+  name: string;
+  text: string;
+  /** Of its parameters that are not at their defaults. */
+  values: Record<string, number>;
+  /** [m/s], [deg/s] asked for; 0: its own */
+  speed: number;
+  turn: number;
+}
+const isGaitWork = (value: unknown) => {
+  const work = value as GaitWork | null;
+  return work === null || (typeof work === 'object' && typeof work.name === 'string' && typeof work.text === 'string' &&
+    typeof work.values === 'object' && work.values !== null && Object.values(work.values).every(Number.isFinite) &&
+    Number.isFinite(work.speed) && Number.isFinite(work.turn));
+};
+export const gaitWork = kept<GaitWork | null>('gait', null, isGaitWork);

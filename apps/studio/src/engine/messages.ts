@@ -1,8 +1,9 @@
 // What the page and the engine's worker say to each other.
-import type { CharacterFacts, FigureValue, FootMode, SpacesFacts } from '@bindings/surefoot.mjs';
+import type { CharacterFacts, FigureValue, FootMode, GaitFacts, GaitPlayed, SpacesFacts } from '@bindings/surefoot.mjs';
 
 export type {
-  CharacterFacts, Figure, FigureValue, Finding, FootMode, FrameLayout, SpaceFacts, SpacesFacts,
+  CharacterFacts, Figure, FigureValue, Finding, FootMode, FrameLayout, GaitFacts, GaitParameter, GaitPlayed, SpaceFacts,
+  SpacesFacts,
 } from '@bindings/surefoot.mjs';
 
 /** Who steers: a patrol up and down the course, or somebody. m/s and deg/s, to the left positive. */
@@ -36,6 +37,13 @@ export interface Calls {
   setThreshold(rule: string, threshold: string, value: number): SpacesFacts;
   resetThresholds(): SpacesFacts;
   blend(space: number, at: number[]): { clip: string; weight: number }[];
+  gaits(): { name: string; help: string }[];
+  gaitSource(name: string): string;
+  gaitRead(text: string): GaitFacts;
+  gaitPlay(values: number[], speed: number, turn: number): GaitPlayed;
+  gaitStop(): void;
+  gaitFile(format: 'bvh' | 'glb'): Uint8Array<ArrayBuffer>;
+  ground(): TerrainMesh;
 }
 
 export type CallName = keyof Calls;

@@ -1,7 +1,7 @@
 // The engine off the main thread: the C++ of surefoot.wasm, one character on one stage.
 import wasmUrl from '@wasm?url';
 import { load, type Surefoot } from '@bindings/surefoot.mjs';
-import type { Calls, CharacterMesh, FromWorker, ToWorker } from './messages';
+import type { Calls, CharacterMesh, FromWorker, TerrainMesh, ToWorker } from './messages';
 
 let engine: Surefoot | undefined;
 
@@ -22,6 +22,10 @@ function mesh(): CharacterMesh {
   };
 }
 
+function ground(): TerrainMesh {
+  return { positions: running().array('terrain').slice(), triangles: running().array('terrainTriangles').slice() };
+}
+
 async function start(): Promise<void> {
   const response = await fetch(wasmUrl);
   if (!response.ok) throw new Error(`the engine's file could not be fetched (${response.status} ${response.statusText})`);
@@ -34,7 +38,7 @@ const calls: { [Name in keyof Calls]: (...args: Parameters<Calls[Name]>) => Retu
   openProject: (files) => ({ facts: running().openProject(files), mesh: mesh() }),
   setCourse(name, gradeDeg) {
     running().setCourse(name, gradeDeg);
-    return { positions: running().array('terrain').slice(), triangles: running().array('terrainTriangles').slice() };
+    return ground();
   },
   setMode: (mode) => running().setMode(mode),
   restart: () => running().restart(),
@@ -44,6 +48,13 @@ const calls: { [Name in keyof Calls]: (...args: Parameters<Calls[Name]>) => Retu
   setThreshold: (rule, threshold, value) => running().setThreshold(rule, threshold, value),
   resetThresholds: () => running().resetThresholds(),
   blend: (space, at) => running().blend(space, at),
+  gaits: () => running().gaits(),
+  gaitSource: (name) => running().gaitSource(name),
+  gaitRead: (text) => running().gaitRead(text),
+  gaitPlay: (values, speed, turn) => running().gaitPlay(values, speed, turn),
+  gaitStop: () => running().gaitStop(),
+  gaitFile: (format) => running().gaitFile(format),
+  ground,
 };
 
 const post = (message: FromWorker, transfer: Transferable[] = []) =>

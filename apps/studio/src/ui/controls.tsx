@@ -53,10 +53,14 @@ export function Slider(props: {
   high: number;
   step: number;
   initial: number;
+  /** More about it, for who points at it. */
+  hint?: string;
   onInput: (value: number) => void;
+  /** It was let go. */
+  onDone?: () => void;
 }) {
   const id = useId();
-  const decimals = props.step < 1 ? 1 : 0;
+  const decimals = props.step < 1 ? Math.max(1, Math.round(-Math.log10(props.step))) : 0;
   return (
     <div class="slider">
       <label for={id}>{props.label}</label>
@@ -71,8 +75,9 @@ export function Slider(props: {
         step={props.step}
         value={props.value}
         onInput={(event) => props.onInput(Number(event.currentTarget.value))}
+        onChange={() => props.onDone?.()}
         onDblClick={() => props.onInput(props.initial)}
-        title="Double-click: back to the default"
+        title={`${props.hint ? `${props.hint}. ` : ''}Double-click: back to the default`}
       />
     </div>
   );
