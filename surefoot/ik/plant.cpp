@@ -17,6 +17,9 @@ constexpr float k_toe_protrusion = 0.6f;  // but less under the toes, which bend
 constexpr float k_worst_gap = 10, k_worst_wall = 10;
 constexpr float k_bearing_weight = 0.15f;  // of heel, ball and toe tip themselves: no edge may lie between them
 constexpr float k_wall_weight = 0.05f;     // of ground just ahead of the toe or behind the heel
+// A foot comes down no more steeply than this: what stands higher behind its heel is in its way.
+constexpr float k_descent = 1.8f, k_descent_weight = 0.02f;
+constexpr std::array k_behind{0.10f, 0.14f};  // [m] behind the heel
 constexpr float k_along_scale = 6, k_across_scale = 3;
 constexpr float k_steep_deg = 35, k_steep_scale_deg = 5;
 constexpr float k_edge = 0.02f;        // [m] of a jump in height within half a centimetre
@@ -59,7 +62,7 @@ Fit fit_plane(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundProb
 float unevenness(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundProbe& probe, const Fit& fit) noexcept {
     const float cosine = 1 / std::sqrt(1 + fit.rise_along * fit.rise_along);
     const float back = -k_overhang * foot.half_length, front = foot.tip;
-    std::array<Vec3, k_columns * k_rows + 7> places;
+    std::array<Vec3, k_columns * k_rows + 7 + k_behind.size()> places;
     std::array<float, places.size()> heights, plane;
     const auto put = [&](std::size_t i, float u, float v) {
         places[i] = centre + foot.forward * u + lateral * v;
@@ -81,6 +84,8 @@ float unevenness(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundP
     put(bearing, -foot.half_length * cosine, 0);
     put(bearing + 1, foot.half_length * cosine, 0);
     put(bearing + 2, foot.tip * cosine, 0);
+    constexpr std::size_t behind = bearing + 3;
+    for (std::size_t i = 0; i < k_behind.size(); ++i) put(behind + i, -(foot.half_length + k_behind[i]) * cosine, 0);
     probe.heights(places, heights);
 
     float cost = 0;
@@ -92,7 +97,11 @@ float unevenness(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundP
     }
     for (std::size_t i = walls; i < bearing; ++i)
         cost += k_wall_weight * 0.5f * square(std::clamp((heights[i] - plane[i]) * k_cm, 0.0f, k_worst_wall));
-    for (std::size_t i = bearing; i < places.size(); ++i)
+    for (std::size_t i = 0; i < k_behind.size(); ++i) {
+        const float high = heights[behind + i] - plane[behind + i] - k_descent * k_behind[i];
+        cost += k_descent_weight * square(std::clamp(high * k_cm, 0.0f, k_worst_wall));
+    }
+    for (std::size_t i = bearing; i < behind; ++i)
         cost += k_bearing_weight * square(std::min(std::fabs(heights[i] - plane[i]) * k_cm, k_worst_gap));
     return cost;
 }

@@ -50,6 +50,18 @@ TEST(Foothold, an_edge_is_stepped_away_from) {
     EXPECT_GT(rotate(plant.tilt, k_up).y, 0.99f);  // and stands level
 }
 
+TEST(Foothold, below_a_high_edge_there_is_room_behind_the_heel_to_come_down_in) {
+    constexpr float k_edge = 3;
+    const auto behind = [&](float drop, float heel) {
+        const Bands ledge(drop, 0, {{-9, k_edge}});
+        const Footprint foot = foot_at(0, heel + 0.1f);
+        return find_foothold(foot, probe_of(ledge), 0.16f, 0.06f).foothold.z - foot.half_length - k_edge;
+    };
+    EXPECT_GT(behind(0.3f, k_edge + 0.07f), 0.095f);
+    EXPECT_NEAR(behind(0.3f, k_edge + 0.2f), 0.2f, 1e-3f);    // far enough as it is
+    EXPECT_NEAR(behind(0.1f, k_edge + 0.07f), 0.07f, 1e-3f);  // a low one is nothing to go out of the way of
+}
+
 TEST(Foothold, a_foot_comes_down_whole_on_a_tread_wherever_the_clip_steps) {
     for (const float riser : {0.17f, -0.17f}) {
         const Stairs stairs(riser, 0.28f, 3, 20);
