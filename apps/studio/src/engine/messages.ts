@@ -1,5 +1,5 @@
 // What the page and the engine's worker say to each other.
-import type { CharacterFacts, FigureValue, FootMode, GaitFacts, GaitPlayed, SpacesFacts } from '@bindings/surefoot.mjs';
+import type { CharacterFacts, Surefoot } from '@bindings/surefoot.mjs';
 
 export type {
   CharacterFacts, Figure, FigureValue, Finding, FootMode, FrameLayout, GaitFacts, GaitParameter, GaitPlayed, SpaceFacts,
@@ -23,26 +23,18 @@ export interface TerrainMesh {
   triangles: Uint32Array;
 }
 
+/** What the module answers is passed on as it is. */
+type Forwarded =
+  | 'setMode' | 'restart' | 'metrics' | 'scenarios'
+  | 'spaces' | 'setThreshold' | 'resetThresholds' | 'blend'
+  | 'gaits' | 'gaitSource' | 'gaitRead' | 'gaitPlay' | 'gaitStop' | 'gaitFile';
+
 /** Calls that are answered once, by name. */
-export interface Calls {
+export interface Calls extends Pick<Surefoot, Forwarded> {
   start(): void;
   openDefault(): { facts: CharacterFacts; mesh: CharacterMesh };
   openProject(files: [string, Uint8Array][]): { facts: CharacterFacts; mesh: CharacterMesh };
   setCourse(name: string, gradeDeg: number): TerrainMesh;
-  setMode(mode: FootMode): void;
-  restart(): void;
-  metrics(): FigureValue[] | null;
-  scenarios(): string;
-  spaces(): SpacesFacts;
-  setThreshold(rule: string, threshold: string, value: number): SpacesFacts;
-  resetThresholds(): SpacesFacts;
-  blend(space: number, at: number[]): { clip: string; weight: number }[];
-  gaits(): { name: string; help: string }[];
-  gaitSource(name: string): string;
-  gaitRead(text: string): GaitFacts;
-  gaitPlay(values: number[], speed: number, turn: number): GaitPlayed;
-  gaitStop(): void;
-  gaitFile(format: 'bvh' | 'glb'): Uint8Array<ArrayBuffer>;
   ground(): TerrainMesh;
 }
 
