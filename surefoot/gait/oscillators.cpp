@@ -20,6 +20,9 @@ constexpr float k_longest_part = 1.0f / 120;  // [s]
 /// Two limbs exactly half a cycle off would pull nowhere: they count as a little less, the first ahead.
 constexpr float k_most_apart = 0.49f;
 
+/// [rad] Up to here the sine is the angle itself, to a float's last bit; limbs in step are no farther apart.
+constexpr float k_small = 3e-4f;
+
 /// Sum of the pulls of all limbs on each; what two limbs do to each other adds up to nothing.
 std::array<float, k_limbs> pulls(const Oscillators& limbs, const std::array<float, k_limbs>& offset) noexcept {
     std::array<float, k_limbs> pull{};
@@ -27,7 +30,8 @@ std::array<float, k_limbs> pulls(const Oscillators& limbs, const std::array<floa
         for (std::size_t j = i + 1; j < k_limbs; ++j) {
             const float apart = phase_difference(limbs.phase[j] + offset[j], limbs.phase[i] + offset[i]);
             const float felt = apart < -k_most_apart ? k_most_apart : std::min(apart, k_most_apart);
-            const float force = sin(2 * static_cast<float>(k_pi) * felt);
+            const float angle = 2 * static_cast<float>(k_pi) * felt;
+            const float force = std::fabs(angle) < k_small ? angle : sin(angle);
             pull[i] += force;
             pull[j] -= force;
         }

@@ -127,7 +127,8 @@ struct LiveScratch {
         std::vector<float> values;
         const HarmonicLanes* lanes = nullptr;  ///< of the values; null: none yet
         float speed = 0, turn = 0;
-        HarmonicLanes::Waves waves;  ///< of the limbs, then of the two feet
+        std::array<FootPrint, 2> middle;  ///< of the values: the feet in the middle of their stance
+        HarmonicLanes::Waves waves;       ///< of the limbs, then of the two feet
     };
     std::vector<Manner> manners;
     HarmonicLanes::Waves idle_waves;

@@ -28,6 +28,7 @@ void prepare(const LiveRig& rig, const LiveState& state, const Mixture& now, Liv
             kept.lanes = &lanes;
             kept.speed = now.posture_speed;
             kept.turn = now.posture_turn;
+            for (std::size_t side = 0; side < 2; ++side) kept.middle[side] = lanes.middle_print(kept.values, side);
         }
         for (std::size_t side = 0; side < 2; ++side)
             phases[k_limbs + side] = foot_phase(state.feet[side], *rig.manners[m].gait,
@@ -88,7 +89,7 @@ BlendedPrint blend_print(const LiveRig& rig, const Mixture& now, const LiveScrat
         if (weight == 0) continue;
         const LiveScratch::Manner& kept = scratch.manners[m];
         const FootPrint print = rig.lanes[m].foot_print(kept.values, kept.waves, side, k_limbs + side);
-        const FootPrint middle = rig.lanes[m].middle_print(kept.values, side);
+        const FootPrint& middle = kept.middle[side];
         add(sum.print.rotation, print.rotation, weight);
         add(sum.print.toes, print.toes, weight);
         sum.print.heel += weight * print.heel;

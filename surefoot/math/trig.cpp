@@ -88,9 +88,18 @@ double atan_unit(double t) noexcept {
 
 }  // namespace
 
-double sin(double x) noexcept { return in_quadrant(reduce(x), 0); }
-double cos(double x) noexcept { return in_quadrant(reduce(x), 1); }
+namespace {
+
+/// So small that the series end with their first term, to the last bit: characters that go straight ahead turn by 0
+/// many times a frame.
+bool is_tiny(double x) noexcept { return x < 0x1p-27 && x > -0x1p-27; }
+
+}  // namespace
+
+double sin(double x) noexcept { return is_tiny(x) ? x + 0.0 : in_quadrant(reduce(x), 0); }
+double cos(double x) noexcept { return is_tiny(x) ? 1.0 : in_quadrant(reduce(x), 1); }
 SinCos sin_cos(double x) noexcept {
+    if (is_tiny(x)) return {x + 0.0, 1.0};
     const Reduced r = reduce(x);
     const double s = sin_core(r.angle), c = cos_core(r.angle);
     switch (r.quadrant) {

@@ -14,6 +14,20 @@ TEST(Trig, sin_cos_gives_the_bits_of_sin_and_cos) {
     }
 }
 
+TEST(Trig, tiny_angles_are_their_sine) {
+    constexpr double k_edge = 0x1p-27;  // below it nothing is computed
+    for (const double x : {0.0, 1e-300, 1e-9, 0.999 * k_edge, k_edge, 1.001 * k_edge})
+        for (const double signed_x : {x, -x}) {
+            EXPECT_EQ(surefoot::sin(signed_x), signed_x) << x;
+            EXPECT_EQ(surefoot::cos(signed_x), 1.0) << x;
+            EXPECT_EQ(surefoot::sin_cos(signed_x).sin, signed_x) << x;
+            EXPECT_EQ(surefoot::sin_cos(signed_x).cos, 1.0) << x;
+        }
+    EXPECT_FALSE(std::signbit(surefoot::sin(-0.0)));
+    // What the oscillators count on: a small float is its sine, to the last bit.
+    for (float x = 1e-7f; x < 3e-4f; x *= 1.01f) EXPECT_EQ(surefoot::sin(x), x);
+}
+
 TEST(Trig, sine_and_cosine_match_the_library_to_a_few_ulp) {
     for (double x = -50; x < 50; x += 0.00731) {
         EXPECT_NEAR(surefoot::sin(x), std::sin(x), 4e-16) << x;
