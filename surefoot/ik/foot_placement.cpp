@@ -211,25 +211,25 @@ FootRig make_foot_rig(const Skeleton& skeleton, const Legs& legs, std::span<cons
     rig.legs = legs;
     rig.settings = settings;
     rig.solver = std::make_shared<const SwingSolver>();
-    const auto parent = [&](int joint) { return skeleton.parents[static_cast<std::size_t>(joint)]; };
     rig.hips = legs.hips;
-    rig.hips_parent = parent(legs.hips);
     rig.lean_joints = find_lean_joints(skeleton, standing);
     rig.parents = skeleton.parents;
-    for (std::size_t side = 0; side < 2; ++side) {
-        const Leg& leg = legs.side[side];
-        rig.upper_parent[side] = parent(leg.upper);
-        rig.lower_parent[side] = parent(leg.lower);
-        rig.foot_parent[side] = parent(leg.foot);
-        rig.toes_parent[side] = leg.toes == k_no_joint ? rig.foot_parent[side] : parent(leg.toes);
-        rig.knee_forward[side] = knee_forward(leg, standing);
-    }
+    for (std::size_t side = 0; side < 2; ++side) rig.knee_forward[side] = knee_forward(legs.side[side], standing);
     return rig;
 }
 
+namespace {
+
+/// In model space; a joint without a parent has the model's own.
+Quat parent_rotation(const FootRig& rig, std::span<const Transform> models, int joint) noexcept {
+    const int parent = rig.parents[static_cast<std::size_t>(joint)];
+    return parent == k_no_joint ? Quat{} : models[static_cast<std::size_t>(parent)].rotation;
+}
+
+}  // namespace
+
 LegsPose read_legs(const FootRig& rig, std::span<const Transform> models) noexcept {
     const auto at = [&](int joint) { return models[static_cast<std::size_t>(joint)]; };
-    const auto rotation = [&](int joint) { return joint == k_no_joint ? Quat{} : at(joint).rotation; };
     LegsPose pose;
     for (std::size_t side = 0; side < 2; ++side) {
         const Leg& leg = rig.legs.side[side];
@@ -238,10 +238,10 @@ LegsPose read_legs(const FootRig& rig, std::span<const Transform> models) noexce
         out.lower = at(leg.lower);
         out.foot = at(leg.foot);
         out.toes = leg.toes == k_no_joint ? out.foot : at(leg.toes);
-        out.upper_parent = rotation(rig.upper_parent[side]);
-        out.lower_parent = rotation(rig.lower_parent[side]);
-        out.foot_parent = rotation(rig.foot_parent[side]);
-        out.toes_parent = rotation(rig.toes_parent[side]);
+        out.upper_parent = parent_rotation(rig, models, leg.upper);
+        out.lower_parent = parent_rotation(rig, models, leg.lower);
+        out.foot_parent = parent_rotation(rig, models, leg.foot);
+        out.toes_parent = leg.toes == k_no_joint ? out.foot_parent : parent_rotation(rig, models, leg.toes);
     }
     return pose;
 }
@@ -305,8 +305,7 @@ void place_feet(const FootRig& rig, FootPlacementState& state, const FootInput& 
 
 void apply(const FootRig& rig, const FootOutput& output, std::span<const Transform> models,
            std::span<Transform> locals) noexcept {
-    const Quat parent =
-        rig.hips_parent == k_no_joint ? Quat{} : models[static_cast<std::size_t>(rig.hips_parent)].rotation;
+    const Quat parent = parent_rotation(rig, models, rig.hips);
     locals[static_cast<std::size_t>(rig.hips)].translation += rotate(conjugate(parent), k_up * output.hips_offset);
     lean(rig.lean_joints, rig.parents, output.lean, models, locals);
     if (!output.moves_legs) return;
@@ -336,7 +335,7 @@ void lift_toe_tips(const FootRig& rig, std::span<const Transform> models, std::s
         const Vec3 toe = rotate(toes.rotation, leg.toe_tip);
         const float lacking = -(toes.translation.y + toe.y);
         if (!(lacking > 0)) continue;
-        const Quat parent = models[static_cast<std::size_t>(rig.toes_parent[side])].rotation;
+        const Quat parent = parent_rotation(rig, models, leg.toes);
         locals[static_cast<std::size_t>(leg.toes)].rotation =
             normalized(conjugate(parent) * bend_toe_up(toe, lacking) * toes.rotation);
     }

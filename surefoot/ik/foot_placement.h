@@ -73,10 +73,8 @@ class LegPreview {
 struct FootRig {
     Legs legs;
     FootSettings settings;
-    std::array<Vec3, 2> knee_forward;            ///< in the thigh's frame: where a straight knee would bend to
-    std::array<std::int16_t, 2> upper_parent{};  ///< joints, or k_no_joint
-    std::array<std::int16_t, 2> lower_parent{}, foot_parent{}, toes_parent{};
-    int hips = k_no_joint, hips_parent = k_no_joint;
+    std::array<Vec3, 2> knee_forward;  ///< in the thigh's frame: where a straight knee would bend to
+    int hips = k_no_joint;
     LeanJoints lean_joints;
     std::vector<std::int16_t> parents;          ///< of the skeleton's joints
     std::shared_ptr<const SwingSolver> solver;  ///< the swing programme's constant matrices

@@ -124,9 +124,10 @@ class FootStepper {
         const float half = 0.5f * step_of(then, side).stance;
         // Who slows down brakes with bent knees, on a foot that comes down nearer; the longer it still flies, the more.
         constexpr float k_nearer = 0.85f, k_long = 0.5f;  // [s]
-        const float part = 1 - (1 - k_nearer) * std::min(1.0f, seconds / k_long);
-        if (state_.speed.rate(seconds) * state_.speed.value(seconds) <= 0)
+        if (state_.speed.rate(seconds) * state_.speed.value(seconds) <= 0) {
+            const float part = 1 - (1 - k_nearer) * std::min(1.0f, seconds / k_long);
             return travel(rig_, state_, seconds + part * half);
+        }
         return travel(rig_, state_, seconds) * integrate(then.velocity, then.turn_rate, half);
     }
 
