@@ -27,6 +27,11 @@ Mesh make_mannequin(const Skeleton& skeleton, const RoleMap& roles, const Legs& 
 /// Bound to a pose that stands flat on y = 0, from which the soles are found, too.
 Mesh make_mannequin(const Skeleton& skeleton, const RoleMap& roles, std::span<const Transform> standing_models);
 
+/// A body of few triangles for crowds, bound to a pose as above: a closed tube a part with `corners` >= 4 corners
+/// around, 80 triangles a corner where nothing is missing. Without fingers.
+Mesh make_low_mannequin(const Skeleton& skeleton, const RoleMap& roles, const Legs& legs,
+                        std::span<const Transform> bind_models, int corners);
+
 /// The frame with the straightest limbs where the rest pose cannot carry a skin: files without a real rest pose (BVH
 /// offsets, say) twist bones about themselves by half a turn, and a skin bound there would shrink to nothing at the
 /// joints; others rest in the middle of a run. -1 where the rest pose is fine.

@@ -94,6 +94,26 @@ std::vector<Vec3> skinned(const Mesh& mesh, const Figure& f, const std::vector<T
     return out;
 }
 
+/// Arrays of equal length, finite places, unit normals, and weights of joints that there are, adding up to one.
+void expect_sound_skin(const Mesh& mesh, const Figure& f) {
+    const std::size_t n = mesh.positions.size();
+    ASSERT_EQ(mesh.normals.size(), n);
+    ASSERT_EQ(mesh.joints.size(), n);
+    ASSERT_EQ(mesh.weights.size(), n);
+    for (std::size_t v = 0; v < n; ++v) {
+        EXPECT_TRUE(is_finite(mesh.positions[v]));
+        EXPECT_NEAR(length(mesh.normals[v]), 1, 1e-4f);
+        float sum = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            EXPECT_GE(mesh.weights[v][k], 0);
+            EXPECT_LT(mesh.joints[v][k], f.skeleton.joint_count());
+            sum += mesh.weights[v][k];
+        }
+        EXPECT_NEAR(sum, 1, 1e-5f);
+    }
+    for (std::uint32_t i : mesh.indices) EXPECT_LT(i, n);
+}
+
 class AnyFigure : public ::testing::TestWithParam<int> {
   protected:
     static Figure figure(int kind) {
@@ -118,21 +138,7 @@ TEST_P(AnyFigure, is_clothed_by_a_sound_closed_mesh) {
     const std::size_t n = mesh.positions.size();
     ASSERT_GT(n, 500u);
     EXPECT_LE(mesh.indices.size() / 3, 6500u);
-    ASSERT_EQ(mesh.normals.size(), n);
-    ASSERT_EQ(mesh.joints.size(), n);
-    ASSERT_EQ(mesh.weights.size(), n);
-    for (std::size_t v = 0; v < n; ++v) {
-        EXPECT_TRUE(is_finite(mesh.positions[v]));
-        EXPECT_NEAR(length(mesh.normals[v]), 1, 1e-4f);
-        float sum = 0;
-        for (std::size_t k = 0; k < 4; ++k) {
-            EXPECT_GE(mesh.weights[v][k], 0);
-            EXPECT_LT(mesh.joints[v][k], f.skeleton.joint_count());
-            sum += mesh.weights[v][k];
-        }
-        EXPECT_NEAR(sum, 1, 1e-5f);
-    }
-    for (std::uint32_t i : mesh.indices) EXPECT_LT(i, n);
+    expect_sound_skin(mesh, f);
     EXPECT_TRUE(is_closed(mesh));
 }
 
@@ -148,16 +154,46 @@ TEST_P(AnyFigure, stands_on_the_floor_with_faces_turned_outward) {
     EXPECT_LT(volume(mesh), 0.110 * scale);
 }
 
+/// Corners of the box around a mesh.
+std::pair<Vec3, Vec3> box_of(const Mesh& mesh) {
+    Vec3 low{9, 9, 9}, high{-9, -9, -9};
+    for (Vec3 p : mesh.positions) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    return {low, high};
+}
+
+Mesh low_mannequin_of(const Figure& f, int corners) {
+    return make_low_mannequin(f.skeleton, f.roles, make_legs(f.skeleton, f.roles, f.models, 0), f.models, corners);
+}
+
+TEST_P(AnyFigure, wears_a_body_of_few_triangles_as_large_as_the_fine_one) {
+    const Figure f = figure(GetParam());
+    const Mesh fine = mannequin_of(f);
+    const auto [fine_low, fine_high] = box_of(fine);
+    for (const int corners : {4, 6, 8}) {
+        SCOPED_TRACE(corners);
+        const Mesh mesh = low_mannequin_of(f, corners);
+        expect_sound_skin(mesh, f);
+        EXPECT_TRUE(is_closed(mesh));
+        EXPECT_LE(mesh.indices.size() / 3, static_cast<std::size_t>(80 * corners));
+        const auto [low, high] = box_of(mesh);
+        const float size = f.models[0].translation.y;
+        EXPECT_NEAR(low.y, 0, 1e-4f);
+        EXPECT_NEAR(high.y, fine_high.y, 0.02f * size);
+        EXPECT_NEAR(high.x, fine_high.x, 0.05f * size);
+        EXPECT_NEAR(low.x, fine_low.x, 0.05f * size);
+        EXPECT_NEAR(volume(mesh) / volume(fine), 1, 0.15);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Mannequin, AnyFigure, ::testing::Range(0, 5));
 
 TEST(Mannequin, covers_head_hands_and_toes) {
     const Figure f = make_figure();
     const Mesh mesh = mannequin_of(f);
-    Vec3 high{-9, -9, -9}, low{9, 9, 9};
-    for (Vec3 p : mesh.positions) {
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    }
+    const auto [low, high] = box_of(mesh);
     EXPECT_NEAR(high.y, 1.74f, 0.03f);
     EXPECT_NEAR(high.x, 0.96f, 0.03f);
     EXPECT_NEAR(low.x, -0.96f, 0.03f);
@@ -272,6 +308,32 @@ TEST_P(AnyTemplate, wears_a_closed_skin_that_bends_without_tearing_or_collapsing
 INSTANTIATE_TEST_SUITE_P(Mannequin, AnyTemplate,
                          ::testing::Values("adult", "child", "giant", "long_arms", "toe_walker"));
 
+TEST(Mannequin, of_few_triangles_bends_with_the_fine_one) {
+    const Figure f = rig_figure("adult");
+    std::vector<Transform> pose = f.skeleton.rest;
+    const auto bend = [&](Role role, Vec3 axis, float degrees) {
+        pose[static_cast<std::size_t>(f.roles[role])].rotation = axis_angle(axis, degrees * k_radians_per_degree);
+    };
+    bend(Role::left_upper_leg, {1, 0, 0}, -50);
+    bend(Role::left_lower_leg, {1, 0, 0}, 60);
+    bend(Role::right_foot, {1, 0, 0}, 30);
+    bend(Role::left_lower_arm, {0, 1, 0}, -80);
+    bend(Role::spine, {1, 0, 0}, 20);
+    const std::vector<Vec3> fine = skinned(mannequin_of(f), f, pose);
+    for (const int corners : {4, 6, 8}) {
+        const Mesh mesh = low_mannequin_of(f, corners);
+        const std::vector<Vec3> posed = skinned(mesh, f, pose);
+        for (std::size_t v = 0; v < posed.size(); ++v) {
+            float nearest = 1;
+            for (Vec3 p : fine) nearest = std::min(nearest, distance(posed[v], p));
+            EXPECT_LT(nearest, 0.12f) << corners << " corners, vertex " << v;
+        }
+        Mesh moved = mesh;
+        moved.positions = posed;
+        EXPECT_NEAR(volume(moved) / volume(mesh), 1, 0.1);
+    }
+}
+
 TEST(Mannequin, keeps_its_knees_and_elbows_when_they_bend_by_120_degrees) {
     const Figure f = rig_figure("adult");
     const Mesh mesh = mannequin_of(f);
@@ -341,6 +403,9 @@ TEST(Mannequin, stays_finite_and_closed_on_senseless_skeletons) {
         EXPECT_TRUE(std::all_of(mesh.normals.begin(), mesh.normals.end(),
                                 [](Vec3 n) { return std::fabs(length(n) - 1) < 1e-3f; }));
         EXPECT_TRUE(is_closed(mesh)) << round;
+        const Mesh low = low_mannequin_of(f, 4);
+        EXPECT_TRUE(std::all_of(low.positions.begin(), low.positions.end(), [](Vec3 p) { return is_finite(p); }));
+        EXPECT_TRUE(is_closed(low)) << round;
     }
 }
 
