@@ -3,6 +3,7 @@
 // Calls that produce a text leave it where sf_text() and sf_text_size() say, until the next call. They return 0, or 1
 // where the text is an error message.
 
+#include "crowd_stage.h"
 #include "gait_desk.h"
 #include "scenario.h"
 #include "space_desk.h"
@@ -46,7 +47,8 @@ surefoot::BlendSpace g_space;
 std::map<std::string, std::string> g_files;
 std::unique_ptr<surefoot::wasm::Stage> g_stage;
 std::unique_ptr<surefoot::wasm::SpaceDesk> g_desk;
-std::unique_ptr<surefoot::wasm::GaitDesk> g_gait;  // none before a gait is asked for
+std::unique_ptr<surefoot::wasm::GaitDesk> g_gait;     // none before a gait is asked for
+std::unique_ptr<surefoot::wasm::CrowdStage> g_crowd;  // none before a crowd is asked for
 
 /// Arrays that stay in the module's memory, for views upon them: sf_array.
 enum Array {
@@ -58,8 +60,39 @@ enum Array {
     k_triangles,
     k_inverse_bind,
     k_terrain,
-    k_terrain_triangles
+    k_terrain_triangles,
+    k_crowd_roots,
+    k_crowd_matrices,
+    k_crowd_positions,
+    k_crowd_normals,
+    k_crowd_joints,
+    k_crowd_weights,
+    k_crowd_triangles
 };
+
+std::span<const std::byte> crowd_bytes_of(int array) {
+    using std::as_bytes, std::span;
+    if (!g_crowd) return {};
+    const surefoot::Mesh& mesh = g_crowd->mesh();
+    switch (array) {
+        case k_crowd_roots:
+            return as_bytes(g_crowd->roots());
+        case k_crowd_matrices:
+            return as_bytes(g_crowd->matrices());
+        case k_crowd_positions:
+            return as_bytes(span(mesh.positions));
+        case k_crowd_normals:
+            return as_bytes(span(mesh.normals));
+        case k_crowd_joints:
+            return as_bytes(span(mesh.joints));
+        case k_crowd_weights:
+            return as_bytes(span(mesh.weights));
+        case k_crowd_triangles:
+            return as_bytes(span(mesh.indices));
+        default:
+            return {};
+    }
+}
 
 std::span<const std::byte> bytes_of(int array) {
     using std::as_bytes, std::span;
@@ -85,7 +118,7 @@ std::span<const std::byte> bytes_of(int array) {
         case k_terrain_triangles:
             return as_bytes(span(g_stage->terrain().indices));
         default:
-            return {};
+            return crowd_bytes_of(array);
     }
 }
 
@@ -94,6 +127,7 @@ std::string put_on_stage(surefoot::wasm::Opened opened) {
     auto stage = std::make_unique<surefoot::wasm::Stage>(std::move(opened.character));
     g_desk = std::make_unique<surefoot::wasm::SpaceDesk>(std::move(opened.project), std::move(opened.poses));
     g_gait.reset();
+    g_crowd.reset();
     g_stage = std::move(stage);
     return g_stage->describe();
 }
@@ -290,6 +324,19 @@ SUREFOOT_EXPORT(sf_gait_stop) void sf_gait_stop() {
 /// Text: the gait's clip as the bytes of a file, 0 BVH, 1 GLB.
 SUREFOOT_EXPORT(sf_gait_file) int sf_gait_file(int format) {
     return guarded([&] { return format == 0 ? gait_desk().bvh() : gait_desk().glb(); });
+}
+
+/// So many of the character on the stage, at the start of their way. Text: what they are (CrowdStage::describe).
+SUREFOOT_EXPORT(sf_crowd) int sf_crowd(int count) {
+    return guarded([&] {
+        g_crowd = std::make_unique<surefoot::wasm::CrowdStage>(stage().character(), count);
+        return g_crowd->describe();
+    });
+}
+
+/// One frame of the crowd (CrowdStage::advance); returns how many were posed, 0 without a crowd.
+SUREFOOT_EXPORT(sf_crowd_advance) int sf_crowd_advance(float seconds, float eye_x, float eye_z, int lasting) {
+    return g_crowd ? g_crowd->advance(seconds, eye_x, eye_z, lasting != 0) : 0;
 }
 
 /// Where an array begins and how many bytes it has; valid until the next call that opens, or changes the course.

@@ -29,6 +29,8 @@ export interface Exports {
   sf_gait_play(values: number, count: number, speed: number, turn: number): number;
   sf_gait_stop(): void;
   sf_gait_file(format: number): number;
+  sf_crowd(count: number): number;
+  sf_crowd_advance(seconds: number, eyeX: number, eyeZ: number, lasting: number): number;
   sf_array(array: number): number;
   sf_array_bytes(array: number): number;
 }
@@ -221,6 +223,16 @@ export interface GaitPlayed {
   curves: { name: string; unit: string; values: (number | null)[] }[];
 }
 
+/** Many of the character on the stage. */
+export interface CrowdFacts {
+  count: number;
+  joints: number;
+  /** [m] of the outermost ring that they go around in */
+  radius: number;
+  /** The mesh at several levels, finest first: which of `crowdTriangles` are each one's. */
+  levels: { first: number; count: number }[];
+}
+
 export interface Arrays {
   frame: Float32Array;
   positions: Float32Array;
@@ -231,6 +243,15 @@ export interface Arrays {
   inverseBind: Float32Array;
   terrain: Float32Array;
   terrainTriangles: Uint32Array;
+  /** By character: x, y, z [m], yaw [rad] */
+  crowdRoots: Float32Array;
+  /** By character and joint: 3x4, row-major, for skinning; relative to the character's root */
+  crowdMatrices: Float32Array;
+  crowdPositions: Float32Array;
+  crowdNormals: Float32Array;
+  crowdJoints: Uint16Array;
+  crowdWeights: Float32Array;
+  crowdTriangles: Uint32Array;
 }
 
 export interface Surefoot {
@@ -268,6 +289,10 @@ export interface Surefoot {
   gaitStop(): void;
   /** The gait's clip as a file. */
   gaitFile(format: 'bvh' | 'glb'): Uint8Array<ArrayBuffer>;
+  /** So many of the character on the stage, from the start. */
+  crowd(count: number): CrowdFacts;
+  /** One frame of them; with `lasting`, poses far from the eye last for several frames. How many were posed. */
+  crowdAdvance(seconds: number, eyeX: number, eyeZ: number, lasting: boolean): number;
   array<Name extends keyof Arrays>(name: Name): Arrays[Name];
 }
 

@@ -69,6 +69,13 @@ const k_arrays = {
   inverseBind: Float32Array,
   terrain: Float32Array,
   terrainTriangles: Uint32Array,
+  crowdRoots: Float32Array,
+  crowdMatrices: Float32Array,
+  crowdPositions: Float32Array,
+  crowdNormals: Float32Array,
+  crowdJoints: Uint16Array,
+  crowdWeights: Float32Array,
+  crowdTriangles: Uint32Array,
 };
 
 class Surefoot {
@@ -191,6 +198,15 @@ class Surefoot {
   /** The gait's clip as the bytes of a file, 'bvh' or 'glb'. */
   gaitFile(format) {
     return this.#bytes(this.#c.sf_gait_file(format === 'bvh' ? 0 : 1));
+  }
+
+  /** So many of the character on the stage. */
+  crowd(count) {
+    return JSON.parse(this.#text(this.#c.sf_crowd(count)));
+  }
+
+  crowdAdvance(seconds, eyeX, eyeZ, lasting) {
+    return this.#c.sf_crowd_advance(seconds, eyeX, eyeZ, lasting ? 1 : 0);
   }
 
   #threshold(text) {

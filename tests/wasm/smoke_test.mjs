@@ -177,6 +177,54 @@ test('gaits have all that surefoot.d.mts declares, can be saved, and a bad text 
   assert.deepEqual(surefoot.array('frame').slice(), after);
 });
 
+test('a crowd has the same bits as natively, frame by frame, also where poses last', () => {
+  const native = execFileSync(twinFile, ['crowd'], { maxBuffer: 1 << 28 });
+  surefoot.openDefault();
+  surefoot.crowd(203);
+  let at = 0;
+  for (let f = 0; f < 90; ++f) {
+    const posed = surefoot.crowdAdvance(1 / 60, 20, 5, f >= 30);
+    assert.ok(f >= 30 ? posed < 203 && posed > 20 : posed === 203, `${posed} posed`);
+    for (const name of ['crowdRoots', 'crowdMatrices']) {
+      const array = surefoot.array(name);
+      const bytes = Buffer.from(array.buffer, array.byteOffset, array.byteLength);
+      assert.ok(bytes.equals(native.subarray(at, at + bytes.length)), `${name} of frame ${f}`);
+      at += bytes.length;
+    }
+  }
+  assert.equal(at, native.length);
+});
+
+test('crowds of one to ten thousand go round without meeting, in meshes of falling cost', () => {
+  assert.equal(surefoot.crowdAdvance(1 / 60, 0, 0, false), 203);
+  surefoot.openDefault();
+  assert.equal(surefoot.crowdAdvance(1 / 60, 0, 0, false), 0, 'another character has no crowd yet');
+  assert.equal(surefoot.crowd(0).count, 1);
+  assert.equal(surefoot.crowd(1e6).count, 10000);
+  const facts = surefoot.crowd(300);
+  assert.deepEqual(Object.keys(facts).sort(), keys('CrowdFacts'));
+  const before = surefoot.array('crowdRoots').slice();
+  for (let f = 0; f < 600; ++f) surefoot.crowdAdvance(1 / 60, 0, 0, true);
+  const roots = surefoot.array('crowdRoots');
+  let closest = Infinity;
+  for (let a = 0; a < 300; ++a) {
+    const radius = (from) => Math.hypot(from[4 * a], from[4 * a + 2]);
+    assert.ok(Math.abs(radius(roots) - radius(before)) < 0.4, `${a} strayed from ${radius(before)} to ${radius(roots)} m`);
+    assert.ok(Math.hypot(roots[4 * a] - before[4 * a], roots[4 * a + 2] - before[4 * a + 2]) > 0.01, `${a} stands`);
+    for (let b = 0; b < a; ++b)
+      closest = Math.min(closest, Math.hypot(roots[4 * a] - roots[4 * b], roots[4 * a + 2] - roots[4 * b + 2]));
+  }
+  assert.ok(closest > 0.8, `${closest} m from each other`);
+  const vertices = surefoot.array('crowdPositions').length / 3, triangles = surefoot.array('crowdTriangles');
+  assert.equal(surefoot.array('crowdMatrices').length, 12 * facts.joints * facts.count);
+  assert.ok(surefoot.array('crowdNormals').length === 3 * vertices && surefoot.array('crowdWeights').length === 4 * vertices);
+  assert.ok(triangles.every((corner) => corner < vertices));
+  assert.ok(surefoot.array('crowdJoints').every((joint) => joint < facts.joints));
+  const costs = facts.levels.map((level) => level.count / 3);
+  assert.equal(facts.levels.at(-1).first + facts.levels.at(-1).count, triangles.length);
+  assert.ok(costs.at(-1) <= 320 && costs.every((cost, i) => i === 0 || cost < costs[i - 1] / 1.9), `${costs}`);
+});
+
 test('figures come after two seconds, and errors leave the stage as it was', () => {
   const facts = surefoot.openDefault();
   assert.equal(surefoot.metrics(), null);

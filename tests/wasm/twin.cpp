@@ -1,6 +1,7 @@
 // The native twin of the WebAssembly module, for smoke_test.mjs to compare with: prints the hashes of the same
 // scenarios, or the BVH text or the facts of the example clip.
 
+#include <bindings/wasm/crowd_stage.h>
 #include <bindings/wasm/gait_desk.h>
 #include <bindings/wasm/scenario.h>
 #include <bindings/wasm/space_desk.h>
@@ -67,7 +68,18 @@ void write_gait() {
     play({"df=0.2", "Shgt=0.6"}, 1.1, 20);
 }
 
-// wasm_twin scenarios | bvh | facts (the facts of the clip that `bvh` prints) | stage | spaces | gait
+/// The frames of a crowd as bytes, as tests/studio and smoke_test.mjs play it: roots, then matrices.
+void write_crowd() {
+    const surefoot::Character character = surefoot::wasm::open_default().character;
+    surefoot::wasm::CrowdStage crowd(character, 203);
+    for (int frame = 0; frame < 90; ++frame) {
+        crowd.advance(1.0f / 60, 20, 5, frame >= 30);
+        std::fwrite(crowd.roots().data(), 1, crowd.roots().size_bytes(), stdout);
+        std::fwrite(crowd.matrices().data(), 1, crowd.matrices().size_bytes(), stdout);
+    }
+}
+
+// wasm_twin scenarios | bvh | facts (the facts of the clip that `bvh` prints) | stage | spaces | gait | crowd
 int main(int argc, char** argv) {
     const char* what = argc > 1 ? argv[1] : "scenarios";
     if (std::strcmp(what, "scenarios") == 0) {
@@ -80,6 +92,10 @@ int main(int argc, char** argv) {
     }
     if (std::strcmp(what, "gait") == 0) {
         write_gait();
+        return 0;
+    }
+    if (std::strcmp(what, "crowd") == 0) {
+        write_crowd();
         return 0;
     }
     if (std::strcmp(what, "spaces") == 0) {
