@@ -4,7 +4,6 @@
 #include <surefoot/author/clip_figures.h>
 #include <surefoot/author/report.h>
 
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -20,8 +19,6 @@ std::string space_legend(const Project& project, const ProjectSpace& space, std:
 
 /// Heat maps of what the probe found in a space; empty where nobody probed.
 std::string probe_section(const Project& project, const ProjectSpace& space);
-/// Its colours, from good to bad: "#00224e", …
-std::span<const char* const> heat_scale();
 
 /// Findings by rule, the worst first, each linked with its marks in the drawings.
 std::string findings_section(const Project& project);

@@ -1,11 +1,9 @@
 // Heat maps of what the probe found: one for each figure, with the state before the repairs beside it where there were
 // any.
 //
-// The scale is cividis (Nuñez, Anderton and Renslow 2018): its lightness rises evenly and it looks the same to
-// colour-blind eyes. Numbers stand in each cell's title. Of more than two axes, a cell shows the worst over those that
-// are not drawn.
+// Numbers stand in each cell's title. Of more than two axes, a cell shows the worst over those that are not drawn.
 
-#include <surefoot/author/probe_result.h>
+#include <surefoot/author/heat.h>
 #include <surefoot/author/report_parts.h>
 
 #include <fmt/format.h>
@@ -18,43 +16,8 @@
 namespace surefoot {
 namespace {
 
-constexpr const char* k_scale[] = {"#00224e", "#123570", "#3b496c", "#575d6d", "#707173",
-                                   "#8a8678", "#a59c74", "#c3b369", "#e1cc55", "#fee838"};
-constexpr int k_steps = static_cast<int>(std::size(k_scale));
 constexpr double k_left = 46, k_right = 8, k_top = 8, k_bottom = 34, k_width = 330;  // [px]
 constexpr double k_height = 250, k_flat_height = 90;                                 // [px]
-
-/// A figure as something that is better the smaller it is.
-struct Heat {
-    ProbeFigure figure;
-    const char *title, *unit;
-    double least;  // bottom of the scale: as good as can be
-    double full;   // top of the scale, where nothing is worse: cells of good spaces should not look alarming
-    int decimals;
-    double (*badness)(const ProbeCell&);
-};
-
-double magnitude(const ProbeCell& cell, ProbeFigure figure) { return std::fabs(cell.blend[figure]); }
-
-constexpr Heat k_heats[] = {
-    {ProbeFigure::speed, "Speed error", "%", 0, 5, 1,
-     [](const ProbeCell& cell) { return magnitude(cell, ProbeFigure::speed); }},
-    {ProbeFigure::turn, "Turn error", "deg/s", 0, 5, 1,
-     [](const ProbeCell& cell) { return magnitude(cell, ProbeFigure::turn); }},
-    {ProbeFigure::skate, "Foot skate", "cm/s", 0, 10, 1,
-     [](const ProbeCell& cell) { return magnitude(cell, ProbeFigure::skate); }},
-    {ProbeFigure::knee_peak, "Knee jerk against the clips alone", "times", 1, 2, 2,
-     [](const ProbeCell& cell) {
-         const double alone = cell.sources[ProbeFigure::knee_peak];
-         return alone > 0 ? cell.blend[ProbeFigure::knee_peak] / alone : 1.0;
-     }},
-    {ProbeFigure::leg_gap, "Legs inside each other", "cm", 0, 2, 1,
-     [](const ProbeCell& cell) { return std::max(0.0, -static_cast<double>(cell.blend[ProbeFigure::leg_gap])); }},
-};
-
-bool is_measured(const ProbeCell& cell, const Heat& heat) {
-    return cell.standing > 0 && std::isfinite(cell.blend[heat.figure]) && std::isfinite(heat.badness(cell));
-}
 
 struct Summary {
     double mean = 0;
@@ -187,7 +150,8 @@ class HeatMap {
 
     const char* colour(double badness) const {
         const double share = (badness - heat_.least) / (full_ - heat_.least);
-        return k_scale[std::clamp(static_cast<int>(share * k_steps), 0, k_steps - 1)];
+        return heat_scale()[static_cast<std::size_t>(
+            std::clamp(static_cast<int>(share * k_heat_steps), 0, k_heat_steps - 1))];
     }
 
     std::string numbers(const ProbeCell& cell) const {
@@ -243,19 +207,11 @@ class HeatMap {
     Summary summary_;
 };
 
-double full_scale(const Heat& heat, const ProbeSpace& now, const ProbeSpace* before) {
-    double full = heat.full;
-    for (const ProbeSpace* space : {&now, before})
-        for (std::size_t i = 0; space != nullptr && i < space->cells.size(); ++i)
-            if (is_measured(space->cells[i], heat)) full = std::max(full, heat.badness(space->cells[i]));
-    return full;
-}
-
 std::string scale_key(const Heat& heat, double full) {
     std::string svg = "<svg viewBox=\"0 0 330 26\" role=\"img\" aria-label=\"colour scale\">";
-    for (int i = 0; i < k_steps; ++i)
-        svg +=
-            fmt::format("<rect fill=\"{}\" x=\"{}\" y=\"0\" width=\"28.4\" height=\"10\"/>", k_scale[i], 46 + 27.6 * i);
+    for (int i = 0; i < k_heat_steps; ++i)
+        svg += fmt::format("<rect fill=\"{}\" x=\"{}\" y=\"0\" width=\"28.4\" height=\"10\"/>",
+                           heat_scale()[static_cast<std::size_t>(i)], 46 + 27.6 * i);
     return svg + fmt::format(
                      "<text class=\"tick\" x=\"46\" y=\"23\">{:.{}f} {}</text><text class=\"tick\" x=\"322\" y=\"23\" "
                      "text-anchor=\"end\">{:.{}f} {}</text></svg>",
@@ -285,7 +241,7 @@ std::string figures_table(const ProbeSpace& now, const ProbeSpace* before) {
         if (*when == 0 || before != nullptr)
             html += fmt::format("<th scope=\"col\">{0}mean</th><th scope=\"col\">{0}worst</th>", when);
     html += "<th scope=\"col\" class=\"t\">where the worst is</th></tr></thead><tbody>\n";
-    for (const Heat& heat : k_heats) {
+    for (const Heat& heat : heats()) {
         const Summary of = summarise(now, heat);
         html += fmt::format("<tr><th scope=\"row\" class=\"t\">{}</th><td class=\"t\">{}</td>", heat.title, heat.unit);
         if (before != nullptr) html += numbers_of(*before, heat, " class=\"before\"");
@@ -297,8 +253,6 @@ std::string figures_table(const ProbeSpace& now, const ProbeSpace* before) {
 }
 
 }  // namespace
-
-std::span<const char* const> heat_scale() { return k_scale; }
 
 std::string probe_section(const Project& project, const ProjectSpace& space) {
     const ProbeSpace* now = space_of(&project.probe, space.name);
@@ -313,8 +267,8 @@ std::string probe_section(const Project& project, const ProjectSpace& space) {
     html += figures_table(*now, before) + fmt::format("<div class=\"heats{}\">\n", before != nullptr ? " paired" : "");
     const bool comparable = before != nullptr && has_same_axes(*now, *before);
     const Window window = comparable ? window_of(*now, *before) : window_of(*now);
-    for (const Heat& heat : k_heats) {
-        const double full = full_scale(heat, *now, before);
+    for (const Heat& heat : heats()) {
+        const double full = std::max(full_scale(heat, *now), before != nullptr ? full_scale(heat, *before) : 0);
         if (before != nullptr)
             html += heat_figure(*before, heat, full, comparable ? window : window_of(*before), ", before");
         html += heat_figure(*now, heat, full, window, before != nullptr ? ", now" : "");

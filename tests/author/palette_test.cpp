@@ -3,6 +3,7 @@
 // out.
 #include "support.h"
 
+#include <surefoot/author/heat.h>
 #include <surefoot/author/report_parts.h>
 #include <surefoot/author/report_style.h>
 
