@@ -136,18 +136,10 @@ void warn_of_empty_styles(const Project& project, const std::vector<StyleOption>
                                "\"");
 }
 
-/// The clips of the spaces, which come first in a project.
-std::vector<AnalyzedClip> clips_of(const Workbench& bench) {
-    std::vector<AnalyzedClip> clips;
-    for (std::size_t i = 0; i < bench.clips.size() && !bench.project.clips[i].excluded; ++i)
-        clips.push_back(bench.clips[i]->clip);
-    return clips;
-}
-
 /// Repairs, with a probe of what was before where one is asked for.
 RepairReport repair_and_compare(Workbench& bench, const Project* before, const SpaceProbe& probe) {
     std::optional<ProbeResult> first;
-    if (probe) first = probe(clips_of(bench), bench.project.spaces);
+    if (probe) first = probe(clips_in_use(bench), bench.project.spaces);
     RepairReport report = repair(bench);
     if (report.made() > 0)
         bench.project.probe_before = std::move(first);
@@ -163,11 +155,10 @@ void choose_weights(BlendSpace& space, const AuthorOptions& options) {
     if (*options.extrapolate > 0) space.extrapolation_bound = *options.extrapolate;
 }
 
-/// Everything after loading.
-AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const AuthorOptions& options,
-                   AuthorResult result) {
-    const std::optional<Project> earlier = earlier_project(folder, result.warnings);
-    const Project* before = earlier ? &*earlier : nullptr;
+/// Everything between loading and writing. `cache`: a folder, or none. `where` stands in the message that nothing is
+/// usable.
+Workbench build(std::vector<LoadedClip> clips, const Project* before, const AuthorOptions& options,
+                const fs::path& cache, const std::string& where, AuthorResult& result) {
     RoleOverrides overrides = options.role_overrides;
     if (before) overrides.insert(overrides.begin(), before->role_overrides.begin(), before->role_overrides.end());
 
@@ -176,13 +167,11 @@ AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const 
             before ? find_again(*before, clip.source, clip.source_first, clip.source_last, clip.facts.name) : nullptr;
         return old && old->excluded_by_user;
     };
-    Gathered gathered =
-        gather(std::move(clips), overrides,
-               {options.retarget, options.actor, options.cache ? folder / ".cache" : fs::path(), left_out});
+    Gathered gathered = gather(std::move(clips), overrides, {options.retarget, options.actor, cache, left_out});
     for (std::string& warning : gathered.warnings) result.warnings.push_back(std::move(warning));
     Workbench bench = lay_out(std::move(gathered), options.styles, before, result);
     Project& project = bench.project;
-    project.name = !options.name.empty() ? options.name : before ? before->name : title_of(folder);
+    project.name = options.name.empty() && before ? before->name : options.name;
     project.asked_axes = !options.axes.empty() || !before ? options.axes : before->asked_axes;
     if (!options.role_overrides.empty()) project.role_overrides = overrides;
     const auto usable = std::find_if(project.clips.begin(), project.clips.end(),
@@ -191,7 +180,7 @@ AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const 
         const std::string why = !project.clips.empty() ? "\"" + project.clips[0].name + "\": " + project.clips[0].reason
                                 : !result.failed.empty() ? result.failed[0]
                                                          : std::string("none was given");
-        throw Error("no clip can be placed in a blend space (" + why + ")", folder.string(),
+        throw Error("no clip can be placed in a blend space (" + why + ")", where,
                     "give clips that walk, run, turn or stand; `surefoot analyze` says what each one does");
     }
     const AnalyzedClip& first = bench.clips[static_cast<std::size_t>(usable - project.clips.begin())]->clip;
@@ -203,17 +192,55 @@ AuthorResult build(std::vector<LoadedClip> clips, const fs::path& folder, const 
     if (options.fix) result.repairs = repair_and_compare(bench, before, options.probe);
 
     warn_of_empty_styles(project, options.styles, result.warnings);
-    if (options.probe && options.grid > 0) result.unsnapped = options.probe(clips_of(bench), project.spaces);
+    if (options.probe && options.grid > 0) result.unsnapped = options.probe(clips_in_use(bench), project.spaces);
     if (options.grid > 0) result.snap = snap_to_grid(project, options.grid, result.warnings);
-    if (options.probe) project.probe = options.probe(clips_of(bench), project.spaces);
+    if (options.probe) project.probe = options.probe(clips_in_use(bench), project.spaces);
     if (options.probe || options.grid > 0) lint_again(bench, result.warnings);
-
     rank_placeholders(bench);
+    return bench;
+}
+
+/// The same from and into a folder.
+AuthorResult build_in(const fs::path& folder, std::vector<LoadedClip> clips, AuthorOptions options,
+                      AuthorResult result) {
+    const std::optional<Project> earlier = earlier_project(folder, result.warnings);
+    const Project* before = earlier ? &*earlier : nullptr;
+    if (options.name.empty() && !before) options.name = title_of(folder);
+    Workbench bench = build(std::move(clips), before, options, options.cache ? folder / ".cache" : fs::path(),
+                            folder.string(), result);
     write_project(bench, folder, before, {options.mannequin, false, result.failed, result.warnings});
     result.report_file = folder / "report.html";
     result.project_file = folder / "project.json";
-    result.project = std::move(project);
+    result.project = std::move(bench.project);
     return result;
+}
+
+/// The clips of what was loaded; what could not be read is noted in `result`.
+std::vector<LoadedClip> take_loaded(LoadResult loaded, AuthorResult& result) {
+    for (const LoadFailure& failure : loaded.failed)
+        result.failed.push_back(failure.error.find(failure.file.substr(0, failure.file.rfind('#'))) == std::string::npos
+                                    ? failure.file + ": " + failure.error
+                                    : failure.error);
+    if (loaded.clips.empty()) {
+        if (result.failed.empty())
+            throw Error("there are no clips here", "CLIPS", "give files or folders of .bvh, .glb, .gltf or .fbx");
+        const std::size_t others = result.failed.size() - 1;
+        throw Error(result.failed.front() + (others > 0 ? fmt::format(" (and {} more could not be read)", others) : ""),
+                    {}, {});
+    }
+    return std::move(loaded.clips);
+}
+
+LoadResult as_loaded(std::vector<Motion> motions) {
+    LoadResult loaded;
+    for (Motion& motion : motions) {
+        LoadedClip clip;
+        clip.file = motion.name;
+        clip.motion = std::move(motion);
+        loaded.clips.push_back(std::move(clip));
+    }
+    if (loaded.clips.empty()) throw Error("there are no clips", "the set", "give at least one");
+    return loaded;
 }
 
 }  // namespace
@@ -238,30 +265,21 @@ AuthorResult author_clips(std::span<const std::string> paths, const fs::path& fo
 
 AuthorResult author_loaded(LoadResult loaded, const fs::path& folder, const AuthorOptions& options) {
     AuthorResult result;
-    for (const LoadFailure& failure : loaded.failed)
-        result.failed.push_back(failure.error.find(failure.file.substr(0, failure.file.rfind('#'))) == std::string::npos
-                                    ? failure.file + ": " + failure.error
-                                    : failure.error);
-    if (loaded.clips.empty()) {
-        if (result.failed.empty())
-            throw Error("there are no clips here", "CLIPS", "give files or folders of .bvh, .glb, .gltf or .fbx");
-        const std::size_t others = result.failed.size() - 1;
-        throw Error(result.failed.front() + (others > 0 ? fmt::format(" (and {} more could not be read)", others) : ""),
-                    {}, {});
-    }
-    return build(std::move(loaded.clips), folder, options, std::move(result));
+    std::vector<LoadedClip> clips = take_loaded(std::move(loaded), result);
+    return build_in(folder, std::move(clips), options, std::move(result));
 }
 
 AuthorResult author_motions(std::vector<Motion> motions, const fs::path& folder, const AuthorOptions& options) {
-    std::vector<LoadedClip> clips;
-    for (Motion& motion : motions) {
-        LoadedClip clip;
-        clip.file = motion.name;
-        clip.motion = std::move(motion);
-        clips.push_back(std::move(clip));
-    }
-    if (clips.empty()) throw Error("there are no clips", "the set", "give at least one");
-    return build(std::move(clips), folder, options, {});
+    return author_loaded(as_loaded(std::move(motions)), folder, options);
+}
+
+Workbench author_workbench(LoadResult loaded, const AuthorOptions& options, AuthorResult& result) {
+    std::vector<LoadedClip> clips = take_loaded(std::move(loaded), result);
+    return build(std::move(clips), nullptr, options, {}, options.name, result);
+}
+
+Workbench author_workbench(std::vector<Motion> motions, const AuthorOptions& options, AuthorResult& result) {
+    return author_workbench(as_loaded(std::move(motions)), options, result);
 }
 
 }  // namespace surefoot

@@ -82,4 +82,9 @@ AuthorResult author_loaded(LoadResult loaded, const std::filesystem::path& folde
 AuthorResult author_motions(std::vector<Motion> motions, const std::filesystem::path& folder,
                             const AuthorOptions& options = {});
 
+/// The same without a folder: nothing is read or written, nothing is kept for a next run (give_project makes the
+/// files). The project is the bench's, and `result` has the rest; what an earlier call left in it stays.
+Workbench author_workbench(LoadResult loaded, const AuthorOptions& options, AuthorResult& result);
+Workbench author_workbench(std::vector<Motion> motions, const AuthorOptions& options, AuthorResult& result);
+
 }  // namespace surefoot

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -128,6 +129,10 @@ struct Project {
 Project load_project(const std::filesystem::path& path, std::vector<std::string>* warnings = nullptr);
 /// The same from text; `where` names it in messages.
 Project parse_project(std::string_view json, const std::string& where, std::vector<std::string>* warnings = nullptr);
+
+/// Gives the bytes of a file of the project, named relative to its folder; throws Error where there is none. Called
+/// from several threads.
+using ReadProjectFile = std::function<std::string(const std::string& file)>;
 
 /// Writes the file in one step (host/files.h).
 void save_project(const std::filesystem::path& path, const Project& project);

@@ -3,6 +3,7 @@
 #include <surefoot/author/place.h>
 #include <surefoot/author/report.h>
 #include <surefoot/author/workbench.h>
+#include <surefoot/base/error.h>
 #include <surefoot/host/files.h>
 #include <surefoot/host/parallel.h>
 #include <surefoot/io/gltf.h>
@@ -61,17 +62,23 @@ void arrange(Workbench& bench) {
     bench.clips = std::move(motions);
 }
 
-/// One clip of a project on disk. Its facts are the project's: what a person corrected there counts.
-std::shared_ptr<const BenchClip> load_clip(const Project& project, const ProjectClip& clip, const fs::path& folder,
-                                           std::string& warning) {
-    const std::string file = (folder / clip.file).string();
-    LoadResult loaded = load_clips({&file, 1});
-    if (loaded.clips.empty()) {
-        warning = loaded.failed.empty() ? file + ": no clip in it" : loaded.failed.front().error;
+/// One clip of a project. Its facts are the project's: what a person corrected there counts.
+std::shared_ptr<const BenchClip> load_clip(const Project& project, const ProjectClip& clip, const ReadProjectFile& read,
+                                           const std::string& where, std::string& warning) {
+    const std::string file = where + clip.file;
+    std::vector<LoadedClip> loaded;
+    try {
+        loaded = read_clips(read(clip.file), file);
+    } catch (const std::exception& error) {
+        warning = error.what();
+        return nullptr;
+    }
+    if (loaded.empty()) {
+        warning = file + ": no clip in it";
         return nullptr;
     }
     AnalyzedClip result;
-    result.motion = std::move(loaded.clips.front().motion);
+    result.motion = std::move(loaded.front().motion);
     result.motion.name = clip.name;
     for (const auto& [role, joint] : project.roles)
         if (const int index = result.motion.skeleton->find(joint); index != k_no_joint)
@@ -107,6 +114,16 @@ const BenchClip* Workbench::find(std::string_view name) const noexcept {
     return index < 0 ? nullptr : clips[static_cast<std::size_t>(index)].get();
 }
 
+std::vector<AnalyzedClip> clips_in_use(const Workbench& bench) {
+    std::vector<AnalyzedClip> clips;
+    for (std::size_t i = 0; i < bench.clips.size() && !bench.project.clips[i].excluded; ++i) {
+        if (!bench.clips[i])
+            throw Error("the clip could not be read", bench.project.clips[i].file, "run surefoot author again");
+        clips.push_back(bench.clips[i]->clip);
+    }
+    return clips;
+}
+
 void place_and_lint(Workbench& bench, const Project* before, std::vector<std::string>& warnings) {
     arrange(bench);
     place_clips(bench.project, bench.project.asked_axes, before, warnings);
@@ -125,22 +142,32 @@ void lint_again(Workbench& bench, std::vector<std::string>& warnings) {
 }
 
 Workbench load_workbench(const fs::path& path, std::vector<std::string>& warnings) {
-    Workbench bench;
-    bench.project = load_project(path, &warnings);
-    const Project& project = bench.project;
+    Project project = load_project(path, &warnings);
     std::error_code ignored;
     const fs::path folder = fs::is_directory(path, ignored) ? path : path.parent_path();
+    return load_workbench(
+        std::move(project), [&](const std::string& file) { return read_file(folder / file); }, warnings,
+        (folder / "").string());
+}
+
+Workbench load_workbench(Project given, const ReadProjectFile& read, std::vector<std::string>& warnings,
+                         const std::string& where) {
+    Workbench bench;
+    bench.project = std::move(given);
+    const Project& project = bench.project;
     bench.clips.resize(project.clips.size());
     std::vector<std::string> failed(project.clips.size());
     parallel_for(project.clips.size(), [&](std::size_t i) {
-        if (!project.clips[i].file.empty()) bench.clips[i] = load_clip(project, project.clips[i], folder, failed[i]);
+        if (!project.clips[i].file.empty())
+            bench.clips[i] = load_clip(project, project.clips[i], read, where, failed[i]);
     });
     for (const std::string& error : failed)
         if (!error.empty()) warnings.push_back(error + "; run surefoot author again");
     return bench;
 }
 
-void write_project(const Workbench& bench, const fs::path& folder, const Project* before, const WriteOptions& options) {
+void give_project(const Workbench& bench, const WriteOptions& options,
+                  const std::function<bool(const ProjectClip&)>& wanted, const PutProjectFile& put) {
     const Project& project = bench.project;
     const auto any = std::find_if(bench.clips.begin(), bench.clips.end(), [](const auto& clip) { return clip; });
     std::optional<Mesh> mesh;
@@ -150,15 +177,23 @@ void write_project(const Workbench& bench, const fs::path& folder, const Project
     }
     parallel_for(project.clips.size(), [&](std::size_t i) {
         const ProjectClip& clip = project.clips[i];
-        std::error_code ignored;
-        if (clip.file.empty() || !bench.clips[i]) return;
-        if (options.only_new && before && before->find_clip(clip.name) >= 0 && fs::exists(folder / clip.file, ignored))
-            return;
-        update_file(folder / clip.file, clip_glb(clip, bench.clips[i]->clip.motion, mesh));
+        if (clip.file.empty() || !bench.clips[i] || !wanted(clip)) return;
+        put(clip.file, clip_glb(clip, bench.clips[i]->clip.motion, mesh));
     });
     const ClipFigures figures = make_clip_figures(project, analyzed_clips(bench));
-    update_file(folder / "report.html", report_html(project, {options.failed, options.warnings, &figures}));
-    save_project(folder / "project.json", project);
+    put("report.html", report_html(project, {options.failed, options.warnings, &figures}));
+    put("project.json", project_json(project));
+}
+
+void write_project(const Workbench& bench, const fs::path& folder, const Project* before, const WriteOptions& options) {
+    const Project& project = bench.project;
+    const auto wanted = [&](const ProjectClip& clip) {
+        std::error_code ignored;
+        return !options.only_new || !before || before->find_clip(clip.name) < 0 ||
+               !fs::exists(folder / clip.file, ignored);
+    };
+    give_project(bench, options, wanted,
+                 [&](const std::string& file, const std::string& bytes) { update_file(folder / file, bytes); });
     if (before) remove_stale_clips(folder, *before, project);
 }
 

@@ -7,6 +7,7 @@
 #include <surefoot/author/project.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,6 +31,10 @@ struct Workbench {
     const BenchClip* find(std::string_view name) const noexcept;
 };
 
+/// Copies of the clips of the spaces, which come first in a project: the spaces' clips index into them. Throws Error
+/// where the motion of one is not at hand.
+std::vector<AnalyzedClip> clips_in_use(const Workbench& bench);
+
 /// Brings the clips into the project's order, places them, triangulates and lints. What the user pinned or locked is
 /// taken from `before` (null: nothing is).
 void place_and_lint(Workbench& bench, const Project* before, std::vector<std::string>& warnings);
@@ -41,13 +46,26 @@ void lint_again(Workbench& bench, std::vector<std::string>& warnings);
 /// `warnings` and are left without motion.
 Workbench load_workbench(const std::filesystem::path& project, std::vector<std::string>& warnings);
 
-/// Writes clips (all, or only those without a file yet), report and, last, the project; removes the files of clips
-/// that `before` had and the project has not. `failed`: files that could not be read, for the report.
+/// The same of a project that was read already, its clips from wherever they are. `where` stands before their names in
+/// warnings.
+Workbench load_workbench(Project project, const ReadProjectFile& read, std::vector<std::string>& warnings,
+                         const std::string& where = {});
+
+/// `failed`: files that could not be read, for the report.
 struct WriteOptions {
     bool mannequin = true;
-    bool only_new = false;
+    bool only_new = false;  ///< only clips without a file yet
     std::vector<std::string> failed, warnings;
 };
+
+/// Takes a file of a project, named relative to its folder; clips' from several threads.
+using PutProjectFile = std::function<void(const std::string& file, const std::string& bytes)>;
+
+/// Makes the files of a project: the clips that `wanted` says, the report and, last, project.json.
+void give_project(const Workbench& bench, const WriteOptions& options,
+                  const std::function<bool(const ProjectClip&)>& wanted, const PutProjectFile& put);
+
+/// Writes them into a folder, and removes the files of clips that `before` had and the project has not.
 void write_project(const Workbench& bench, const std::filesystem::path& folder, const Project* before,
                    const WriteOptions& options);
 

@@ -8,7 +8,6 @@
 #include <surefoot/rig/leg.h>
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <span>
 
@@ -34,9 +33,7 @@ struct Character {
 /// Error where a clip is missing, does not fit the skeleton, or the project has no space.
 Character bake_character(const Project& project, const std::filesystem::path& folder);
 
-/// Gives the bytes of a file of the project, named relative to its folder; throws Error where there is none.
-using ReadProjectFile = std::function<std::string(const std::string& file)>;
-/// The same from wherever the files are. `where` stands before their names in messages. Called from several threads.
+/// The same from wherever the files are. `where` stands before their names in messages.
 Character bake_character(const Project& project, const ReadProjectFile& read, const std::string& where = {});
 
 /// The same from clips in memory; the spaces' `clips` index into `clips`.

@@ -5,10 +5,18 @@
 #include <unistd.h>
 
 namespace surefoot {
+namespace {
+
+ProgressWatch g_watch = nullptr;
+
+}  // namespace
+
+void watch_progress(ProgressWatch watch) noexcept { g_watch = watch; }
 
 Progress::Progress(std::string label, std::size_t total)
     : label_(std::move(label)), total_(total), terminal_(total > 1 && isatty(STDERR_FILENO)) {
     if (terminal_) draw(0);
+    if (g_watch) g_watch(label_, 0, total_);
 }
 
 Progress::~Progress() {
@@ -17,6 +25,7 @@ Progress::~Progress() {
 
 void Progress::advance() {
     const std::size_t done = ++done_;
+    if (g_watch) g_watch(label_, done, total_);
     if (!terminal_) return;
     const std::lock_guard lock(drawing_);
     draw(done);

@@ -1,5 +1,6 @@
 #pragma once
-// A progress bar on standard error, only where that is a terminal; silent in a pipe.
+// A progress bar on standard error, only where that is a terminal; silent in a pipe. A host without a terminal watches
+// instead.
 
 #include <atomic>
 #include <cstddef>
@@ -7,6 +8,11 @@
 #include <string>
 
 namespace surefoot {
+
+/// Told of each step that is done, from whichever thread did it.
+using ProgressWatch = void (*)(const std::string& label, std::size_t done, std::size_t total);
+/// From now on `watch` is told of all progress (null: nobody is). Not to be called while something progresses.
+void watch_progress(ProgressWatch watch) noexcept;
 
 class Progress {
   public:

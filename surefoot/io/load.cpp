@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <new>
 #include <optional>
 
@@ -87,13 +88,18 @@ std::vector<LoadedClip> pick_clip(std::vector<LoadedClip> clips, const Wanted& w
                 "it has " + std::to_string(clips.size()) + ": " + names);
 }
 
-Outcome read_one(const Wanted& wanted, const LoadOptions& options) {
+/// Where files are: on disk or in memory.
+struct Shelf {
+    std::function<bool(const std::string& path)> has;
+    std::function<std::string(const std::string& path)> read;
+};
+
+Outcome read_one(const Wanted& wanted, const Shelf& shelf, const LoadOptions& options) {
     Outcome outcome;
     try {
-        std::vector<LoadedClip> clips = read_clips(read_file(wanted.path), wanted.path, options);
+        std::vector<LoadedClip> clips = read_clips(shelf.read(wanted.path), wanted.path, options);
         const std::string sidecar = sidecar_path(wanted.path);
-        std::error_code ignored;
-        if (fs::exists(sidecar, ignored)) apply_sidecar(read_file(sidecar), sidecar, clips);
+        if (shelf.has(sidecar)) apply_sidecar(shelf.read(sidecar), sidecar, clips);
         outcome.clips = wanted.pick ? pick_clip(std::move(clips), wanted) : std::move(clips);
     } catch (const std::bad_alloc&) {
         outcome.error = Error("not enough memory for this file", wanted.path, "split it").what();
@@ -117,6 +123,26 @@ void share_skeletons(std::vector<LoadedClip>& clips) {
     }
 }
 
+/// Reads what is wanted, which is in order, and adds it to `result`.
+void read_all(const std::vector<Wanted>& wanted, const Shelf& shelf, const LoadOptions& options, LoadResult& result) {
+    std::vector<Outcome> outcomes(wanted.size());
+    Progress progress("reading", wanted.size());
+    parallel_for(wanted.size(), [&](std::size_t i) {
+        outcomes[i] = read_one(wanted[i], shelf, options);
+        progress.advance();
+    });
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        if (!outcomes[i].error.empty()) result.failed.push_back({wanted[i].as_given, outcomes[i].error});
+        for (LoadedClip& clip : outcomes[i].clips) result.clips.push_back(std::move(clip));
+    }
+    std::stable_sort(result.failed.begin(), result.failed.end(),
+                     [](const LoadFailure& a, const LoadFailure& b) { return a.file < b.file; });
+    share_skeletons(result.clips);
+    std::vector<std::string*> names;
+    for (LoadedClip& clip : result.clips) names.push_back(&clip.motion.name);
+    make_unique(names);
+}
+
 }  // namespace
 
 bool is_clip_file(std::string_view path) {
@@ -131,9 +157,11 @@ std::vector<LoadedClip> read_clips(std::string_view bytes, const std::string& wh
         clips.push_back(read_bvh(bytes, where, options));
     else if (ext == ".glb" || ext == ".gltf")
         clips = read_gltf(bytes, where, options);
-#ifndef __EMSCRIPTEN__
     else if (ext == ".fbx" || ext == ".dae")
+#ifndef __EMSCRIPTEN__
         clips = read_fbx_or_collada(bytes, where, options);
+#else
+        throw Error("FBX and Collada are not read in a browser", where, "`surefoot convert` makes a .glb of it");
 #endif
     else
         throw Error("the extension '" + ext + "' is not one of a clip", where,
@@ -160,23 +188,23 @@ LoadResult load_clips(std::span<const std::string> paths, const LoadOptions& opt
     wanted.erase(std::unique(wanted.begin(), wanted.end(),
                              [](const Wanted& a, const Wanted& b) { return a.as_given == b.as_given; }),
                  wanted.end());
+    const auto is_there = [](const std::string& path) {
+        std::error_code ignored;
+        return fs::exists(path, ignored);
+    };
+    read_all(wanted, {is_there, [](const std::string& path) { return read_file(path); }}, options, result);
+    return result;
+}
 
-    std::vector<Outcome> outcomes(wanted.size());
-    Progress progress("reading", wanted.size());
-    parallel_for(wanted.size(), [&](std::size_t i) {
-        outcomes[i] = read_one(wanted[i], options);
-        progress.advance();
-    });
-    for (std::size_t i = 0; i < outcomes.size(); ++i) {
-        if (!outcomes[i].error.empty()) result.failed.push_back({wanted[i].as_given, outcomes[i].error});
-        for (LoadedClip& clip : outcomes[i].clips) result.clips.push_back(std::move(clip));
-    }
-    std::stable_sort(result.failed.begin(), result.failed.end(),
-                     [](const LoadFailure& a, const LoadFailure& b) { return a.file < b.file; });
-    share_skeletons(result.clips);
-    std::vector<std::string*> names;
-    for (LoadedClip& clip : result.clips) names.push_back(&clip.motion.name);
-    make_unique(names);
+LoadResult load_clips_in_memory(const std::map<std::string, std::string>& files, const LoadOptions& options) {
+    std::vector<Wanted> wanted;
+    for (const auto& [name, bytes] : files)
+        if (is_clip_file(name)) wanted.push_back({name, {}, name});
+    LoadResult result;
+    read_all(wanted,
+             {[&](const std::string& name) { return files.count(name) > 0; },
+              [&](const std::string& name) { return files.at(name); }},
+             options, result);
     return result;
 }
 

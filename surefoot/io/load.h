@@ -3,6 +3,7 @@
 
 #include <surefoot/io/clip_file.h>
 
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ struct LoadResult {
 /// one Skeleton. A sidecar beside a file gives its clips
 /// numbers of the user's own (io/sidecar.h). Does not throw for bad input.
 LoadResult load_clips(std::span<const std::string> paths, const LoadOptions& options = {});
+
+/// The same from files in memory, by name, their sidecars among them; what is neither clip nor sidecar is passed over.
+LoadResult load_clips_in_memory(const std::map<std::string, std::string>& files, const LoadOptions& options = {});
 
 /// All clips of one file given as bytes; `where` is its name as shown in messages and decides the format by its
 /// extension. Throws Error. External buffers of a .gltf are read from the file's own folder only.

@@ -2,6 +2,7 @@
 
 #include <surefoot/author/author.h>
 #include <surefoot/author/report.h>
+#include <surefoot/author/workbench.h>
 #include <surefoot/base/error.h>
 #include <surefoot/host/files.h>
 #include <surefoot/host/parallel.h>
@@ -15,6 +16,7 @@
 
 #include <fstream>
 #include <map>
+#include <mutex>
 #include <set>
 
 namespace surefoot {
@@ -59,6 +61,79 @@ TEST(author, the_synthetic_set_becomes_a_project_whose_every_file_is_there) {
     }
     EXPECT_GE(used, 14);
     EXPECT_NE(read_file(folder.path / "report.html").find("</html>"), std::string::npos);
+}
+
+/// Files of a folder by name, for authoring in memory: as the page does that they are dragged into.
+using Files = std::map<std::string, std::string>;
+
+Files made_files(const Workbench& bench, const AuthorResult& result) {
+    Files files;
+    std::mutex several;
+    give_project(
+        bench, {false, false, result.failed, result.warnings}, [](const ProjectClip&) { return true; },
+        [&](const std::string& file, const std::string& bytes) {
+            const std::lock_guard<std::mutex> hold(several);
+            files[file] = bytes;
+        });
+    return files;
+}
+
+TEST(author, clips_in_memory_become_the_same_files_as_clips_in_a_folder) {
+    Folder folder;
+    Files given;
+    for (const Motion& clip : make_synthetic_set().clips) {
+        GltfScene scene;
+        scene.motions = {clip};
+        given[clip.name + ".glb"] = write_glb(scene);
+    }
+    given["walk.surefoot.json"] = "{\"style\": 0.5}";
+    given["notes.txt"] = "neither clip nor sidecar";
+    given["broken.bvh"] = "HIERARCHY nonsense";
+    for (const auto& [name, bytes] : given) write_file(folder.path / "in" / name, bytes);
+    AuthorOptions options = plain();
+    options.cache = false;
+    options.fix = true;
+    // From inside the folder, so that sources are called the same.
+    const fs::path home = fs::current_path();
+    fs::current_path(folder.path / "in");
+    const std::string here = ".";
+    const LoadResult on_disk = load_clips({&here, 1});
+    std::vector<std::string> paths;
+    for (const auto& [name, bytes] : given)
+        if (is_clip_file(name)) paths.push_back(name);
+    const AuthorResult native = author_clips(paths, folder.path / "out", options);
+    fs::current_path(home);
+
+    const LoadResult loaded = load_clips_in_memory(given);
+    EXPECT_EQ(loaded.clips.size(), on_disk.clips.size());
+    ASSERT_EQ(loaded.failed.size(), 1u);
+    AuthorResult result;
+    const Workbench bench = author_workbench(loaded, options, result);
+    EXPECT_EQ(bench.project.find_clip("broken"), -1);
+    EXPECT_EQ(result.failed, native.failed);
+    EXPECT_EQ(result.repairs.made(), native.repairs.made());
+    const int walk = bench.project.find_clip("walk");
+    ASSERT_GE(walk, 0);
+    EXPECT_EQ(bench.project.clips[static_cast<std::size_t>(walk)].facts.custom.at("style"), 0.5f);
+    const Files made = made_files(bench, result), written = contents(folder.path / "out");
+    ASSERT_EQ(made.size(), written.size());
+    for (const auto& [name, bytes] : written) EXPECT_TRUE(made.at(name) == bytes) << name;
+
+    // What was made opens again without a folder, and is not moved by it.
+    std::vector<std::string> warnings;
+    Workbench again = load_workbench(
+        parse_project(made.at("project.json"), "project.json"), [&](const std::string& file) { return made.at(file); },
+        warnings);
+    EXPECT_TRUE(warnings.empty()) << warnings.front();
+    EXPECT_EQ(clips_in_use(again).size(), clips_in_use(bench).size());
+    again.clips[0] = nullptr;
+    EXPECT_THROW(clips_in_use(again), Error);
+}
+
+TEST(author, without_clips_in_memory_there_is_an_error_in_words) {
+    AuthorResult result;
+    EXPECT_THROW(author_workbench(load_clips_in_memory({{"notes.txt", ""}}), plain(), result), Error);
+    EXPECT_THROW(author_workbench(load_clips_in_memory({{"a.bvh", "nonsense"}}), plain(), result), Error);
 }
 
 TEST(author, numbers_beside_the_clips_open_a_third_dimension_that_survives_the_next_run) {
