@@ -12,10 +12,11 @@ struct Going {
     LocomotionRequest request;
     RootFrame root;
 
-    LocomotionFrame go(const LocomotionGraph& graph, const LocomotionRequest& wanted, float dt) noexcept {
+    LocomotionFrame go(const LocomotionGraph& graph, const LocomotionRequest& wanted, const Steering& steering,
+                       float dt) noexcept {
         request = approach(request, wanted, dt);
         const LocomotionFrame frame = update(graph, state, request, dt);
-        root = root * frame.root_delta;
+        root = root * frame.root_delta * steering.host_way(dt);
         root.position.y = 0;
         return frame;
     }
@@ -39,9 +40,10 @@ class CharacterWalker final : public Walker {
     }
     void advance(float dt) noexcept override {
         steering_.advance(dt);
-        now_.go(character_.graph, wanted(), dt);
+        now_.go(character_.graph, wanted(), steering_, dt);
         const LocomotionRequest& asked = now_.request;
-        requested_ = requested_ * integrate({asked.lateral, 0, asked.speed}, asked.turn * k_radians_per_degree, dt);
+        requested_ = requested_ * integrate({asked.lateral, 0, asked.speed}, asked.turn * k_radians_per_degree, dt) *
+                     steering_.host_way(dt);
         foresight_.begin(now_);
     }
     void limit_speed(float mps) noexcept override {
@@ -54,11 +56,13 @@ class CharacterWalker final : public Walker {
         foresight_.begin(now_);
     }
     RootFrame requested() const noexcept override { return requested_; }
+    bool has_host() const noexcept override { return steering_.has_host(); }
     /// What comes is foreseen from what is asked for now: no later leg of the path is known.
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
         LocomotionFrame frame;
-        const Going& there = foresight_.at(
-            ahead, [&](Going& going, float dt) noexcept { frame = going.go(character_.graph, wanted(), dt); });
+        const Going& there = foresight_.at(ahead, [&](Going& going, float dt) noexcept {
+            frame = going.go(character_.graph, wanted(), steering_, dt);
+        });
         root = there.root;
         pose(character_.graph, frame, locals);
     }

@@ -65,6 +65,7 @@ class GraphWalker final : public Walker {
         foresight_.begin(now_);
     }
     RootFrame requested() const noexcept override { return now_.requested; }
+    bool has_host() const noexcept override { return steering_.has_host(); }
     float feet() const noexcept override { return now_.feet; }
     /// States stay as they are and parameters go where they are going: no later leg of the path is known.
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
@@ -84,12 +85,12 @@ class GraphWalker final : public Walker {
         input.root = going.root;
         input.decide = decide;
         update(program_, going.state, input, scratch_, frame_);
-        going.root = going.root * frame_.root_delta;
+        going.root = going.root * frame_.root_delta * steering_.host_way(dt);
         going.root.position.y = 0;
         going.feet = frame_.feet;
         const Vec3 velocity{0, 0, get(program_, going.state, speed_)};
         const float turn = get(program_, going.state, turn_) * k_radians_per_degree;
-        going.requested = going.requested * integrate(velocity, turn, dt);
+        going.requested = going.requested * integrate(velocity, turn, dt) * steering_.host_way(dt);
     }
 
     const Pack& character_;

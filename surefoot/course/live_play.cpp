@@ -20,14 +20,15 @@ class LiveWalker final : public Walker {
     }
     void advance(float dt) noexcept override {
         steering_.advance(dt);
-        root_ = root_ * update(rig_, state_, wanted(), dt).root_delta;
+        root_ = root_ * update(rig_, state_, wanted(), dt).root_delta * steering_.host_way(dt);
     }
     void limit_speed(float mps) noexcept override { steering_.limit_speed(mps); }
     /// Live gaits glide to what they are asked for, and the glide is what there is to obey.
     RootFrame requested() const noexcept override { return root_; }
+    bool has_host() const noexcept override { return steering_.has_host(); }
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
         LiveState copy = state_;
-        root = root_ * update(rig_, copy, wanted(), ahead).root_delta;
+        root = root_ * update(rig_, copy, wanted(), ahead).root_delta * steering_.host_way(ahead);
         pose(rig_, copy, scratch_, locals);
     }
 

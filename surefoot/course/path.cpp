@@ -1,5 +1,7 @@
 #include <surefoot/base/error.h>
 #include <surefoot/course/path.h>
+#include <surefoot/graph/locomotion.h>
+#include <surefoot/math/trig.h>
 
 #include <algorithm>
 #include <utility>
@@ -7,7 +9,7 @@
 namespace surefoot {
 
 const std::vector<std::string>& path_names() {
-    static const std::vector<std::string> names{"straight", "curve", "eight", "start-stop", "turns"};
+    static const std::vector<std::string> names{"straight", "curve", "eight", "start-stop", "turns", "host-turns"};
     return names;
 }
 
@@ -20,8 +22,15 @@ std::vector<PathLeg> walk_path(const std::string& name, float seconds, float tur
     if (name == "start-stop") legs = {{false, 0, 1}, {true, turn, 3}, {false, 0, 2.5f}};
     if (name == "turns")
         legs = {{true, turn, 3}, {false, 0, 2}, {false, 60, 3}, {false, 0, 1.5f}, {false, -45, 4}, {false, 0, 1.5f}};
+    if (name == "host-turns") {
+        const PathLeg stand{false, 0, 1.5f};
+        const auto host = [](float turn, float slide) { return PathLeg{false, 0, 2, turn, slide}; };
+        legs = {{true, turn, 3}, {false, 0, 2},  host(90, 0), stand,           host(-45, 0), host(-45, 0),
+                stand,           host(0, 0.25f), stand,       host(0, -0.25f), stand};
+    }
     if (legs.empty())
-        throw Error("there is no path '" + name + "'", "--path", "walk straight, curve, eight, start-stop or turns");
+        throw Error("there is no path '" + name + "'", "--path",
+                    "walk straight, curve, eight, start-stop, turns or host-turns");
     std::vector<PathLeg> all;
     float whole = 0;
     for (const PathLeg& leg : legs) whole += leg.seconds;
@@ -35,6 +44,16 @@ Steering::Steering(std::vector<PathLeg> legs) : legs_(std::move(legs)) {
 
 float Steering::speed(float asked) const noexcept {
     return legs_[at_].goes ? std::clamp(asked, -limit_, limit_) : 0.0f;
+}
+
+RootFrame Steering::host_way(float dt) const noexcept {
+    const PathLeg& leg = legs_[at_];
+    return integrate({leg.host_slide, 0, 0}, leg.host_turn * k_radians_per_degree, dt);
+}
+
+bool Steering::has_host() const noexcept {
+    return std::any_of(legs_.begin(), legs_.end(),
+                       [](const PathLeg& leg) { return leg.host_turn != 0 || leg.host_slide != 0; });
 }
 
 void Steering::take_over(float turn) noexcept {

@@ -13,15 +13,20 @@ struct PathLeg {
     bool goes = true;  ///< at the walk's speed; false: stands
     float turn = 0;    ///< [deg/s] positive to the left
     float seconds = 1;
+    // What a host adds to the root by itself, that no clip knows of:
+    float host_turn = 0;   ///< [deg/s] positive to the left
+    float host_slide = 0;  ///< [m/s] to the left
 };
 
-/// "straight", "curve", "eight", "start-stop", "turns".
+/// "straight", "curve", "eight", "start-stop", "turns", "host-turns".
 const std::vector<std::string>& path_names();
 
 /// straight; curve (30 deg/s, by turns to the left and to the right, so that it gets ahead); eight (two circles at that
 /// rate, one to either side); start-stop (stand, go, stop and go again, over and over); turns (go, stop, turn on the
-/// spot by 180 degrees to the left at 60 deg/s and back at 45, and go on). Legs for `seconds` at least.
-/// `turn` [deg/s] is that of a straight way, for gaits that turn by themselves. Throws Error for another name.
+/// spot by 180 degrees to the left at 60 deg/s and back at 45, and go on); host-turns (go, stop, and while it stands
+/// its host turns it by 180 degrees to the left at 90 deg/s and back at 45, and slides it half a metre to the left and
+/// back). Legs for `seconds` at least. `turn` [deg/s] is that of a straight way, for gaits that turn by themselves.
+/// Throws Error for another name.
 std::vector<PathLeg> walk_path(const std::string& name, float seconds, float turn = 0);
 
 /// What a path asks for now, no faster than a limit.
@@ -42,6 +47,10 @@ class Steering {
     float speed(float asked) const noexcept;
     /// [deg/s] positive to the left.
     float turn() const noexcept { return legs_[at_].turn; }
+    /// What the host adds to the root in that time.
+    RootFrame host_way(float dt) const noexcept;
+    /// True where some leg of the path has a host that adds something.
+    bool has_host() const noexcept;
 
   private:
     std::vector<PathLeg> legs_;

@@ -18,7 +18,8 @@ bool has_lone_edges(const std::string& course) { return is_stepped(course) && co
 /// Neither speed nor path was asked for by name: only what makes sense.
 bool makes_sense(const SweepRequest& request, const std::string& course, const std::string& path, float speed) {
     if (request.speeds_mps.empty() && is_stepped(course) && speed > k_fastest_on_steps) return false;
-    if (request.speeds_mps.empty() && path == "turns" && speed > k_fastest_before_turns) return false;
+    if (request.speeds_mps.empty() && (path == "turns" || path == "host-turns") && speed > k_fastest_before_turns)
+        return false;
     return !request.paths.empty() || path != "eight" || !has_lone_edges(course);
 }
 
@@ -74,9 +75,9 @@ std::vector<WalkInfo> plan_sweep(const SweepRequest& request) {
             for (const float speed : speeds)
                 for (const bool reverse : directions(request, course)) {
                     if (!makes_sense(request, course, path, speed)) continue;
-                    const float usual = path == "eight"   ? k_seconds_eight
-                                        : path == "turns" ? k_seconds_turns
-                                                          : k_seconds;
+                    const float usual = path == "eight"                           ? k_seconds_eight
+                                        : path == "turns" || path == "host-turns" ? k_seconds_turns
+                                                                                  : k_seconds;
                     walks.push_back({request.character, course, path, request.grade_deg, speed, reverse,
                                      request.seconds > 0 ? request.seconds : usual, request.limit_pace});
                 }

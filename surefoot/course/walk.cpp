@@ -96,7 +96,7 @@ WalkComparison compare_modes(Walker& walker, const Ground& ground, float speed_m
     const auto keeping_pace = [&](const Ground& over, FootMode mode) {
         return walk(walker, over, {speed_mps, seconds, mode, limit_pace}, &ours.speed_limit);
     };
-    result.twin = keeping_pace(Plane(), FootMode::none);
+    result.twin = keeping_pace(Plane(), walker.has_host() ? FootMode::surefoot : FootMode::none);
     result.twin_track = make_track(result.twin.motion, result.legs);
     result.twin_figures = measure_twin(result.twin_track);
     result.twin_metrics = measure_walk(result.twin_track, result.twin_track, Plane(), result.twin.requested.back());

@@ -41,6 +41,8 @@ class Walker {
     virtual void stand_on(std::uint32_t /*surface*/) noexcept {}
     /// Where the root would be had it obeyed exactly.
     virtual RootFrame requested() const noexcept = 0;
+    /// True where its host moves the root besides: un-placed, its feet drag.
+    virtual bool has_host() const noexcept { return false; }
     /// How much of foot placement its motion asks for now, [0, 1]: nothing in jumps and falls.
     virtual float feet() const noexcept { return 1; }
     /// The root in the world (y = 0) and the pose, `ahead` >= 0 seconds from now if nothing else is asked for.
@@ -90,8 +92,8 @@ struct Walked {
 Walked walk(Walker& walker, const Ground& ground, const WalkRequest& request,
             const std::vector<float>* speed_limit = nullptr);
 
-/// The same walk in several modes, and on flat ground un-placed (the twin), measured. All keep to the pace at which
-/// mode surefoot is walked.
+/// The same walk in several modes, and on flat ground un-placed (the twin), measured; placed in mode surefoot where a
+/// host moves the root, for else it would not step. All keep to the pace at which mode surefoot is walked.
 struct WalkComparison {
     std::array<Walked, 3> walked;        ///< by FootMode; empty where a mode was not asked for
     std::array<WalkTrack, 3> tracks;     ///< the same

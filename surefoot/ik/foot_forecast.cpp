@@ -14,6 +14,7 @@ constexpr float k_tip_height = 0.02f;  // the toe tip is the last to leave
 constexpr float k_slow = 0.35f;        // [m/s]
 constexpr float k_slow_share = 0.3f;   // of the root's speed
 constexpr float k_fast_root = 1.7f;    // [m/s] from here on the share counts
+constexpr float k_still = 0.03f;       // [m] that a foot may shift about the root and yet rest
 constexpr int k_gap = 8;               // samples: no swing is shorter; a shorter gap is a foot that drags or noise
 constexpr int k_shortest_run = 3;      // and so are shorter stances
 constexpr double k_most_early = 0.5;   // [s] a root that passes a foot this long before or after its stance is turning
@@ -45,6 +46,19 @@ void find_runs(Forecast& f, std::size_t side) noexcept {
         i = last;
     }
     f.run_count[side] = count;
+}
+
+/// True where a foot stays down and in its place as seen from the root, wherever that goes.
+bool foot_rests(const Forecast& f, std::size_t side, float scale) noexcept {
+    Vec3 first;
+    for (std::size_t i = 0; i < Forecast::k_samples; ++i) {
+        const LegPoints& p = f.legs[side][i];
+        if (p.heel.y > k_heel_height * scale || p.ball.y > k_ball_height * scale) return false;
+        const Vec3 seen = rotate(from_yaw(-f.yaw[i]), (p.heel + p.ball) * 0.5f - f.root[i]);
+        if (i == 0) first = seen;
+        if (planar_length(seen - first) > k_still * scale) return false;
+    }
+    return true;
 }
 
 /// Catmull-Rom, so that second differences of what is built on it stay smooth.
@@ -146,6 +160,7 @@ void look_ahead(const FootRig& rig, double clock, const LegPreview& preview, For
         for (std::size_t i = 0; i < count; ++i) {
             const auto n = static_cast<std::size_t>(first) + i;
             f.root[n] = {roots[i].position.x, 0, roots[i].position.z};
+            f.yaw[n] = roots[i].yaw;
             for (std::size_t side = 0; side < 2; ++side)
                 f.legs[side][n] = world_leg(rig.legs.side[side], legs[i].side[side], roots[i]).points;
         }
@@ -168,6 +183,7 @@ void look_ahead(const FootRig& rig, double clock, const LegPreview& preview, For
                 p.toe_tip.y < k_tip_height * scale && speed_at(f.legs[side], &LegPoints::toe_tip, i) < slow;
         }
         find_runs(f, side);
+        f.rests[side] = foot_rests(f, side, scale);
     }
 }
 

@@ -32,6 +32,8 @@ struct Forecast {
     double start = 0;  ///< [s] clock of sample 0
     std::array<std::array<LegPoints, k_samples>, 2> legs;
     std::array<Vec3, k_samples> root;
+    std::array<float, k_samples> yaw;  ///< [rad] of the root
+    std::array<bool, 2> rests{};       ///< by Side: the clip's foot stands as far as can be seen, still about the root
     std::array<std::array<ContactRun, k_most_runs>, 2> runs;
     std::array<int, 2> run_count{};
     std::array<std::array<bool, k_samples>, 2> heel_down, ball_down, tip_down;
@@ -47,6 +49,10 @@ struct Forecast {
 
 /// Asks the preview and finds the contacts.
 void look_ahead(const FootRig& rig, double clock, const LegPreview& preview, Forecast& forecast) noexcept;
+
+inline bool is_swinging(const FootState& foot, double clock) noexcept {
+    return foot.has_next && clock >= foot.lift && clock < foot.strike;
+}
 
 /// From 0 to 1 with slope and curvature 0 at both ends, for x in [0, 1].
 constexpr float smootherstep(float x) noexcept { return x * x * x * (10 + x * (-15 + 6 * x)); }

@@ -41,15 +41,20 @@ float swing_share(const FootState& foot, double clock) noexcept {
     return smootherstep(static_cast<float>((clock - foot.lift) / (foot.strike - foot.lift)));
 }
 
+Quat part_of_turn(Quat from, Quat to, float share) noexcept {
+    return from_rotation_vector(to_rotation_vector(to * conjugate(from)) * share) * from;
+}
+
 PlacedFoot stand_or_swing(const FootState& foot, double clock, const LegPoints& points, float leg_length) noexcept {
-    const auto stand = [&](const Plant& plant) {
+    const auto stand = [&](const Plant& planted) {
+        const Plant plant = plant_for(planted, points.heel, points.ball);
         return PlacedFoot{plant_ankle(plant, points, leg_length), plant.tilt, plant.uneven, plant.tilt};
     };
     if (!foot.has_next || clock <= foot.lift) return stand(foot.plant);
     if (clock >= foot.strike) return stand(foot.next);
     const float s = swing_share(foot, clock);
     const PlacedFoot a = stand(foot.plant), b = stand(foot.next);
-    const Quat tilt = ground_tilt(foot, clock);
+    const Quat tilt = part_of_turn(a.tilt, b.tilt, s);
     return {a.ankle + (b.ankle - a.ankle) * s, tilt, a.uneven + (b.uneven - a.uneven) * s, tilt};
 }
 
@@ -59,8 +64,7 @@ Quat ground_tilt(const FootState& foot, double clock) noexcept {
     const float share = swing_share(foot, clock);
     if (share == 0) return foot.plant.tilt;
     if (share == 1) return foot.next.tilt;
-    const Vec3 turn = to_rotation_vector(foot.next.tilt * conjugate(foot.plant.tilt));
-    return from_rotation_vector(turn * share) * foot.plant.tilt;
+    return part_of_turn(foot.plant.tilt, foot.next.tilt, share);
 }
 
 PlacedFoot blend_plants(const FootState& foot, double clock, const LegPoints& points, const Leg& leg) noexcept {

@@ -1,6 +1,7 @@
 #include <surefoot/ik/foot_forecast.h>
 #include <surefoot/ik/pace.h>
 #include <surefoot/ik/placing.h>
+#include <surefoot/ik/replant.h>
 #include <surefoot/ik/ride.h>
 #include <surefoot/ik/two_bone.h>
 #include <surefoot/math/trig.h>
@@ -96,6 +97,7 @@ void plan_smoothly(const FootRig& rig, FootPlacementState& state, const GroundPr
 /// where a walk is blended with a stand: there may be no room beside it.
 void hold(FootState& foot, const LegPoints& points, float leg_length, float dt) noexcept {
     const float low = k_flat * leg_length;
+    if (foot.plant.held) return;
     if (!is_sought_out(foot.plant) || points.heel.y > low || points.ball.y > low) return;
     const Vec3 drift = (points.heel + points.ball) * 0.5f - foot.plant.centre;
     if (planar_length(drift) > k_most_drift * leg_length) return;
@@ -135,6 +137,7 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
             state.next_check = state.clock + k_check_interval;
         }
     }
+    plan |= feel_drag(rig, state, input);
     if (plan) plan_smoothly(rig, state, probe, preview);
     if (rig.settings.limit_pace) keep_pace(rig, state, input, probe, preview);
 

@@ -16,6 +16,8 @@
 // once a step; where steering has moved a coming foothold they are planned anew, and position and velocity go on
 // without a jump. On flat ground nothing changes at all.
 //
+// A host may also move the root of a clip that stands: feet then step after it by themselves.
+//
 // State is one trivially copyable block: saving and rolling back is memcpy. No call allocates or throws.
 
 #include <surefoot/ik/hips.h>
@@ -102,6 +104,10 @@ struct FootState {
     /// How far the heel rises about the ball before it lifts, where the leg would be too short [rad]; and when [s].
     float rise = 0;
     double rise_from = 0, rise_peak = 0, rise_until = 0;
+    float step_height = 0;   ///< [m] that a swing rises by itself, where the clip's own foot stays on the ground
+    bool rests = false;      ///< the clip's foot stands, said the forecast of this plan, and stays where it is
+    bool dragged = false;    ///< the root takes the clip's foot along, this frame
+    Vec3 last_middle;        ///< [m] between heel and ball of the clip's foot, a frame ago
     double foreseen_at = 0;  ///< [s] the strike, or half a second after the plan
     Vec3 foreseen;           ///< [m] where the clip's foot was to be then, said the forecast of this plan
     // What replanning left over, fading out by the strike, so that position and velocity go on without a jump.
@@ -133,6 +139,7 @@ struct FootPlacementState {
     HeightSpring hips_rest;  ///< what a new plan took from under the hips' way, fading
     HeightSpring lean;       ///< [rad], [rad/s] of the trunk
     PaceState pace;
+    RootFrame last_root;         ///< a frame ago
     Vec3 ground_velocity;        ///< [m/s] see FootOutput
     HeightSpring weight{-1, 0};  ///< of all this, eased; -1: not known yet
     std::int32_t plans = 0;      ///< how often it planned: for tests and profiles

@@ -2,6 +2,7 @@
 
 #include <surefoot/ik/foot_forecast.h>
 #include <surefoot/ik/pace.h>
+#include <surefoot/ik/replant.h>
 
 #include <algorithm>
 
@@ -13,6 +14,7 @@ constexpr double k_same_strike = 0.05;      // [s] a coming foothold that moved 
 constexpr float k_same_place = 0.02f;       // [m] and this is kept: replanning for noise costs smoothness
 constexpr float k_no_move = 0.003f;         // [m] less is none
 constexpr double k_late = 0.3;              // [s] before the strike: no other foothold is sought out
+constexpr double k_committed = 0.17;        // [s] before a strike a step of a held foot is not turned aside
 constexpr float k_flicker = 0.08f;          // [m] a contact this near the plant just left is its end, not a landing
 constexpr double k_longest_passing = 0.35;  // [s] after the strike, where the root's passing is not in sight
 constexpr double k_plan_interval = 0.5;     // [s] plan at least this often; the forecast reaches 0.35 s farther
@@ -26,11 +28,8 @@ constexpr double k_rise_after = 0.13, k_rise_fall = 0.23;  // [s] after the lift
 constexpr double k_shortest_rise = 0.08;                   // [s] a heel that comes up faster would kick
 constexpr float k_rise_worth = 0.003f;                     // [m] of hip height
 constexpr int k_rise_rounds = 7;                           // of bisection: a quarter of a degree
+constexpr float k_step_height = 0.05f;                     // of the leg's length, where the clip's own foot stays down
 constexpr double k_moment = 1.0 / 60;                      // [s] for velocities by difference
-
-bool is_swinging(const FootState& foot, double clock) noexcept {
-    return foot.has_next && clock >= foot.lift && clock < foot.strike;
-}
 
 class Planner {
   public:
@@ -112,7 +111,10 @@ void Planner::plan_stance(std::size_t side) noexcept {
 
 void Planner::plan_swing(std::size_t side, const ContactRun& landing) noexcept {
     FootState& foot = state_.feet[side];
+    const bool held = forecast_.rests[side] && (foot.has_next ? foot.next : foot.plant).held;
     foot.next = make_plant(side, landing);
+    foot.next.held = held;
+    foot.step_height = held ? k_step_height * leg_length(side) : 0;
     foot.strike = std::max(forecast_.time(landing.first), std::max(foot.lift, state_.clock) + k_moment);
     foot.has_next = true;
 }
@@ -121,6 +123,8 @@ void Planner::plan_swing(std::size_t side, const ContactRun& landing) noexcept {
 void Planner::replan_swing(std::size_t side) noexcept {
     FootState& foot = state_.feet[side];
     const double now = state_.clock;
+    // It would have to leap; it steps again instead.
+    if (forecast_.rests[side] && foot.next.held && foot.strike - now < k_committed) return;
     int landing = -1;
     for (int i = 0; i < forecast_.run_count[side] && landing < 0; ++i) {
         const ContactRun& run = forecast_.runs[side][static_cast<std::size_t>(i)];
@@ -141,9 +145,10 @@ void Planner::replan_swing(std::size_t side) noexcept {
     const bool late = foot.strike - now < k_late &&
                       planar_length(foot.next.centre - before.next.foothold) < rig_.settings.search_along;
     if ((same || late) && is_sought_out(before.next)) {
-        const Vec3 centre = foot.next.centre;
+        const Vec3 centre = foot.next.centre, heading = foot.next.heading;
         foot.next = before.next;
         foot.next.centre = centre;
+        foot.next.heading = heading;
     }
     const double share = (now - before.lift) / (before.strike - before.lift);
     // The same share of the new swing has passed.
@@ -174,7 +179,8 @@ void Planner::join(std::size_t side, const FootState& before) noexcept {
 void Planner::plan_line() noexcept {
     FootholdLine& line = state_.line;
     line.keep_past(state_.clock);
-    bool standing = true;
+    bool standing = true;  // but for feet that only step to where the host has moved the stance
+    double until = state_.clock + k_longest_passing;
     std::array<FootholdPass, 2 * (1 + Forecast::k_most_runs)> passes;
     std::size_t count = 0;
     for (std::size_t side = 0; side < 2; ++side) {
@@ -182,7 +188,8 @@ void Planner::plan_line() noexcept {
         if (foot.plant.passing > state_.clock || line.count == 0)
             passes[count++] = {foot.plant.passing, foot.plant.foothold.y};
         if (!foot.has_next) continue;
-        standing = false;
+        standing = standing && foot.next.held;
+        until = std::max(until, foot.strike);
         passes[count++] = {foot.next.passing, foot.next.foothold.y};
         // Steps beyond the next one count with the plain ground under them.
         for (int i = 0; i < forecast_.run_count[side]; ++i) {
@@ -194,9 +201,9 @@ void Planner::plan_line() noexcept {
         }
     }
     if (standing) {
-        const float middle = 0.5f * (state_.feet[0].plant.foothold.y + state_.feet[1].plant.foothold.y);
+        const auto height = [&](const FootState& foot) { return (foot.has_next ? foot.next : foot.plant).foothold.y; };
         count = 0;
-        passes[count++] = {state_.clock + k_longest_passing, middle};
+        passes[count++] = {until, 0.5f * (height(state_.feet[0]) + height(state_.feet[1]))};
     }
     for (std::size_t i = 0; i < count; ++i) line.add(passes[i]);
 }
@@ -288,6 +295,7 @@ void plan_feet(const FootRig& rig, FootPlacementState& state, const GroundProbe&
     Forecast forecast;
     look_ahead(rig, state.clock, preview, forecast);
     measure_cadence(state.pace, forecast);
+    replant(rig, state, forecast);
     if (!state.started)
         for (FootState& foot : state.feet) foot.plant.foothold.y = probe.fallback;
     Planner planner(rig, state, probe, forecast);
@@ -299,6 +307,7 @@ void plan_feet(const FootRig& rig, FootPlacementState& state, const GroundProbe&
     for (std::size_t side = 0; side < 2; ++side) {
         FootState& foot = state.feet[side];
         foot.foreseen_at = is_swinging(foot, state.clock) ? foot.strike : state.next_plan;
+        foot.rests = forecast.rests[side];
         const LegPoints then = forecast.at(side, foot.foreseen_at);
         foot.foreseen = (then.heel + then.ball) * 0.5f;
     }

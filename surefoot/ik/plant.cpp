@@ -175,6 +175,15 @@ Vec3 planted(const Plant& plant, Vec3 point, float leg_length) noexcept {
     return point + (plant.foothold - plant.centre) + (rotate(plant.tilt, lever) - lever);
 }
 
+Plant plant_for(const Plant& plant, Vec3 heel, Vec3 ball) noexcept {
+    if (!plant.held) return plant;
+    const Vec3 middle = (heel + ball) * 0.5f, forward{ball.x - heel.x, 0, ball.z - heel.z};
+    Plant now = plant;
+    now.centre = {middle.x, 0, middle.z};
+    now.tilt = plant.tilt * rotation_between(normalized(forward, plant.heading), plant.heading);
+    return now;
+}
+
 Footprint make_footprint(Vec3 heel, Vec3 ball, Vec3 toe_tip, float leg_length) noexcept {
     Footprint foot;
     heel.y = ball.y = toe_tip.y = 0;
@@ -209,6 +218,7 @@ Plant find_foothold(const Footprint& foot, const GroundProbe& probe, float along
     }
     Plant plant;
     plant.centre = foot.centre;
+    plant.heading = foot.forward;
     plant.foothold = foot.centre + foot.forward * u + lateral * v;
     plant.foothold.y = best.height;
     const Vec3 normal = normalized(cross(foot.forward + k_up * best.rise_along, lateral + k_up * best.rise_across));

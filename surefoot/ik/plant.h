@@ -19,10 +19,17 @@ struct Plant {
     /// on level (there the clip is not to be changed), more on any other.
     float uneven = 0;
     double passing = 0;  ///< [s] on the state's clock: when the root passes over it
+    /// The foot stays at `foothold`, turned as `heading` says, whatever the clip's foot does meanwhile: a host moves
+    /// the root of a clip that stands.
+    bool held = false;
+    Vec3 heading{0, 0, 1};  ///< unit, level: heel to ball in the clip when it was planted; `tilt` comes on top
 };
 
 /// Where a plant puts a point. The lever is free up to about 0.3 of `leg_length` and ends at 0.47 of it.
 Vec3 planted(const Plant& plant, Vec3 point, float leg_length) noexcept;
+
+/// The transform of a plant while the clip's foot has these sole points: itself, but for a held one.
+Plant plant_for(const Plant& plant, Vec3 heel, Vec3 ball) noexcept;
 
 /// True where the foothold is not where the clip steps.
 inline bool is_sought_out(const Plant& plant) noexcept {

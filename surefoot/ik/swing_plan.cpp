@@ -21,6 +21,14 @@ constexpr float k_low = 0.015f;          // [m] a hump this low is good enough: 
 constexpr std::array k_shifts{-0.08f, 0.0f, 0.08f};  // [m] that are tried, early and late
 constexpr float k_shift_worth = 0.9f;                // of the cost without: smaller gains are left alone
 
+/// Of a step where the clip takes none.
+float step_height(const FootState& foot, double clock) noexcept {
+    if (foot.step_height == 0) return k_no_need;
+    const auto share = static_cast<float>((clock - foot.lift) / (foot.strike - foot.lift));
+    const float arch = std::max(0.0f, 4 * share * (1 - share));
+    return foot.step_height * arch * arch;
+}
+
 class Clearance {
   public:
     Clearance(const FootRig& rig, FootState& foot, std::size_t side, const GroundProbe& probe,
@@ -33,6 +41,7 @@ class Clearance {
         for (std::size_t i = 0; i < points_.size(); ++i) {
             const double clock = from + length * (static_cast<double>(i) - 1) / (k_hump_samples - 1);
             points_[i] = forecast.at(side, clock);
+            step_[i] = step_height(foot, clock);
             placed_[i] = blend_plants(foot, clock, points_[i], rig.legs.side[side]);
             fade_[i] = fade_offset(foot, clock);
         }
@@ -42,7 +51,7 @@ class Clearance {
   private:
     void choose_shifts() noexcept;
     float try_shift(float early, float late) noexcept;
-    float needed(const LegPoints& points, const PlacedFoot& placed, float margin) const noexcept;
+    float needed(const LegPoints& points, const PlacedFoot& placed, float margin, float step) const noexcept;
 
     const FootRig& rig_;
     FootState& foot_;
@@ -51,7 +60,8 @@ class Clearance {
     std::array<LegPoints, k_hump_samples + 2> points_;
     std::array<PlacedFoot, k_hump_samples + 2> placed_;
     std::array<Vec3, k_hump_samples + 2> fade_;
-    Vec3 travel_;  // unit, level
+    std::array<float, k_hump_samples + 2> step_;  // [m] how high the foot shall be by itself
+    Vec3 travel_;                                 // unit, level
     float start_value_, start_slope_;
     int given_up_ = 1;        // samples at either end at which the ground is not kept clear
     float highest_need_ = 0;  // [m] above the blend of the two plants, at the last try
@@ -59,7 +69,7 @@ class Clearance {
 };
 
 /// Least height of the ankle above its height in the clip so that heel, ball and toe tip clear the ground.
-float Clearance::needed(const LegPoints& points, const PlacedFoot& placed, float margin) const noexcept {
+float Clearance::needed(const LegPoints& points, const PlacedFoot& placed, float margin, float step) const noexcept {
     const std::array<Vec3, 3> soles{points.heel, points.ball, points.toe_tip};
     float need = k_no_need;
     for (std::size_t k = 0; k < soles.size(); ++k) {
@@ -72,6 +82,7 @@ float Clearance::needed(const LegPoints& points, const PlacedFoot& placed, float
         const float ground = margin < 0 ? lowest : highest;
         float own = std::min(rig_.settings.swing_clearance, soles[k].y);
         if (own < 0) own *= 1 - placed.uneven;
+        own = std::max(own, step);
         float least = ground + own - (points.ankle.y + arm.y);
         if (k == 2 && soles[k].y < k_toe_down) least -= k_toe_bend;
         need = std::max(need, least);
@@ -100,7 +111,7 @@ float Clearance::try_shift(float early, float late) noexcept {
         const float inner = std::clamp(static_cast<float>(from_end - k_end) / (k_middle - k_end), 0.0f, 1.0f);
         const float margin = k_end_margin + (k_path_margin - k_end_margin) * inner;
         placed.ankle += fade_[at] + shift[at];
-        need = needed(points, placed, margin);
+        need = needed(points, placed, margin, step_[at]);
         highest_need_ = std::max(highest_need_, need - task.base[at]);
     }
     task.start_value = start_value_;

@@ -125,6 +125,22 @@ TEST(Path, curving_over_hills_feet_stand_as_they_do_going_straight) {
     EXPECT_LT(ours.skate_cm_s, c.metrics[0].skate_cm_s + 0.5);
 }
 
+TEST(Path, feet_of_a_standing_character_that_its_host_turns_and_slides_do_not_drag) {
+    for (const char* name : {"flat", "hills"}) {
+        const auto walker = make_character_walker(character(), {}, walk_path("host-turns", 30));
+        const WalkComparison c = compare_modes(*walker, *make_course(name).ground, 1.4f, 30);
+        const WalkMetrics &none = c.metrics[0], &ours = c.metrics[2];
+        EXPECT_GT(none.skate_cm_s, 6) << name;
+        EXPECT_LT(ours.skate_cm_s, 1) << name;
+        EXPECT_LT(ours.penetration_max_cm, 1) << name;
+        EXPECT_LT(ours.float_mean_cm, 0.1) << name;
+        EXPECT_LT(ours.sole_angle_worst_deg, 6) << name;
+        EXPECT_LT(ours.knee_peak_deg_s2, 22000) << name;
+        EXPECT_LT(ours.hip_jerk_ratio, 2) << name;
+        EXPECT_EQ(ours.over_extensions, 0) << name;
+    }
+}
+
 TEST(Path, where_steering_stops_and_starts_on_a_slope_the_hips_stay_calm) {
     for (const char* name : {"slope_up", "slope_down", "ledge", "hills"}) {
         const auto walker = make_character_walker(character(), {}, walk_path("start-stop", 16));
