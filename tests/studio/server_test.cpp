@@ -117,6 +117,22 @@ TEST_F(StudioServer, reads_and_writes_files_of_the_project) {
     EXPECT_EQ(put("/api/files/clips", "no folder becomes a file", token()), 403);
 }
 
+TEST_F(StudioServer, removes_clips_of_the_project_and_nothing_else) {
+    const auto remove = [&](const std::string& path) {
+        httplib::Client client("127.0.0.1", server_->port());
+        return client.Delete(path, token())->status;
+    };
+    ASSERT_EQ(put("/api/files/clips/gone.glb", "new", token()), 204);
+    EXPECT_EQ(remove("/api/files/clips/gone.glb"), 204);
+    EXPECT_FALSE(fs::exists(root() / "project/clips/gone.glb"));
+    EXPECT_EQ(remove("/api/files/clips/gone.glb"), 403);
+    EXPECT_EQ(remove("/api/files/project.json"), 403);
+    EXPECT_EQ(remove("/api/files/clips"), 403);
+    ASSERT_EQ(put("/api/files/notes.glb", "mine", token()), 204);
+    EXPECT_EQ(remove("/api/files/notes.glb"), 403);
+    EXPECT_EQ(read_file(root() / "project/notes.glb"), "mine");
+}
+
 TEST_F(StudioServer, says_when_a_file_has_changed) {
     const auto changed = [&] {
         return nlohmann::json::parse(client_->Get("/api/project", token())->body)["files"][1]["changed"]
@@ -191,6 +207,7 @@ TEST_F(StudioServer, nothing_outside_of_the_folder_is_read_or_written) {
         const int status = raw("PUT /api/files/" + way, key + "Content-Length: 0\r\n");
         EXPECT_NE(status, 200) << way;
         EXPECT_NE(status, 204) << way;
+        EXPECT_NE(raw("DELETE /api/files/" + way, key), 204) << way;
     }
     for (const std::string way : {"/../secret.txt", "/%2e%2e/secret.txt", "/assets/../../secret.txt"})
         EXPECT_NE(raw("GET " + way), 200) << way;

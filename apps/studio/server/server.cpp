@@ -141,6 +141,18 @@ struct Server::Parts {
         }
     }
 
+    /// Clips come and go with repairs; all else in the folder is not ours to remove.
+    void remove(const std::string& relative, httplib::Response& response) {
+        const std::optional<fs::path> path = project ? project->inside(relative) : std::nullopt;
+        std::error_code error;
+        const bool is_clip = path && path->parent_path() == project->folder() / "clips" && path->extension() == ".glb";
+        if (!is_clip || !fs::is_regular_file(*path, error))
+            return refuse(response, 403, "'" + relative + "' is no clip of the project's folder.");
+        const std::lock_guard lock(writing);
+        if (!fs::remove(*path, error)) return refuse(response, 500, "'" + relative + "' could not be removed.");
+        response.status = 204;
+    }
+
     void route() {
         http.set_default_headers({{"Cross-Origin-Opener-Policy", "same-origin"},
                                   {"Cross-Origin-Embedder-Policy", "require-corp"},
@@ -168,6 +180,10 @@ struct Server::Parts {
         http.Put(std::string(k_files) + "(.*)", [this](const httplib::Request& request, httplib::Response& response) {
             save(request.path.substr(k_files.size()), request.body, response);
         });
+        http.Delete(std::string(k_files) + "(.*)",
+                    [this](const httplib::Request& request, httplib::Response& response) {
+                        remove(request.path.substr(k_files.size()), response);
+                    });
         http.Get("/.*", [this](const httplib::Request& request, httplib::Response& response) {
             give_file(app, request.path == "/" ? "index.html" : request.path.substr(1), response);
         });

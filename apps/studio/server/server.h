@@ -6,6 +6,7 @@
 //                              whenever the file does
 //   GET  /api/files/PATH       a file of the folder
 //   PUT  /api/files/PATH       replaces it in one step (host/files.h), making folders where needed
+//   DELETE /api/files/clips/NAME.glb  removes a clip; nothing else can be removed
 //
 // It listens on 127.0.0.1. A request whose Host is not this server's is refused (DNS that is bent to here), one with an
 // Origin that is not (other pages), and under /api/ one without this run's token (other programs and users). Pages come
