@@ -3,6 +3,7 @@ import { useRef } from 'preact/hooks';
 import { effect, signal, untracked } from '@preact/signals';
 import './style.css';
 import * as session from './session';
+import * as crowd from './crowd';
 import { listen } from './input';
 import { openDropped, openFirst, openFolder } from './project';
 import { course, gradeDeg, theme, workspace, type Theme, type Workspace } from './settings';
@@ -10,6 +11,7 @@ import { isDark } from './view/theme';
 import { ProblemCard } from './ui/problem';
 import { Timeline } from './ui/timeline';
 import { Viewport } from './ui/viewport';
+import { CrowdPanel, CrowdViewport } from './workspaces/crowd';
 import { GaitDesk, gaitKeys, GaitPanel, loadGait } from './workspaces/gait';
 import { loadSpaces, SpaceMap, SpacePanel } from './workspaces/space';
 import { TerrainPanel } from './workspaces/terrain';
@@ -48,7 +50,9 @@ const k_workspaces: { value: Workspace; label: string }[] = [
   { value: 'gait', label: 'Gait' },
   { value: 'space', label: 'Blend space' },
   { value: 'terrain', label: 'Terrain' },
+  { value: 'crowd', label: 'Crowd' },
 ];
+const k_panels: Record<Workspace, () => preact.JSX.Element> = { gait: GaitPanel, space: SpacePanel, terrain: TerrainPanel, crowd: CrowdPanel };
 
 /** Arrow keys go from tab to tab, as everywhere. */
 function moveTab(event: KeyboardEvent): void {
@@ -63,6 +67,7 @@ function moveTab(event: KeyboardEvent): void {
 
 function Studio() {
   const known = session.facts.value;
+  const Panel = k_panels[workspace.value];
   return (
     <div
       class={`studio ${workspace.value}${panelOpen.value ? '' : ' narrow'}`}
@@ -106,10 +111,10 @@ function Studio() {
       <main>
         {workspace.value === 'space' && <SpaceMap />}
         {workspace.value === 'gait' && <GaitDesk />}
-        <Viewport />
+        {workspace.value === 'crowd' ? <CrowdViewport /> : <Viewport />}
       </main>
       <div class="panel" id="panel" role="tabpanel" aria-labelledby={`tab-${workspace.value}`} hidden={!panelOpen.value}>
-        {workspace.value === 'terrain' ? <TerrainPanel /> : workspace.value === 'space' ? <SpacePanel /> : <GaitPanel />}
+        <Panel />
       </div>
       <Timeline />
       <ProblemCard />
@@ -125,6 +130,11 @@ effect(() => {
   const where = workspace.value, known = session.facts.value;
   if (!known) return;
   untracked(() => {
+    session.present(where === 'crowd' ? crowd.crowdShow : null);
+    if (where === 'crowd') {
+      void crowd.makeCrowd();
+      return;
+    }
     if (where === 'gait') {
       session.hold(null);
       void loadGait();
@@ -154,4 +164,10 @@ void session.boot(async () => {
 });
 
 // For tests and for who likes to look inside.
-Object.assign(globalThis, { studio: { session, engine: session.engine } });
+Object.assign(globalThis, {
+  studio: {
+    session,
+    engine: session.engine,
+    crowd: () => ({ facts: crowd.crowd.value?.facts, posed: crowd.posed.value, costs: crowd.costs, texels: crowd.texels.length }),
+  },
+});

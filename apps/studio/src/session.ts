@@ -68,7 +68,7 @@ async function stage(opened: Promise<{ facts: CharacterFacts; mesh: CharacterMes
     figures.value = null;
   });
   history.clear();
-  await step(0);
+  await ownShow.step(0, 1);
 }
 
 export const openDefault = () => stage(engine.call('openDefault'));
@@ -93,7 +93,7 @@ export async function showCourse(name: string, grade: number): Promise<boolean> 
       figures.value = null;
     });
     history.clear();
-    await step(0);
+    await ownShow.step(0, 1);
     return true;
   } catch (error) {
     fail('This course cannot be walked', error);
@@ -102,6 +102,7 @@ export async function showCourse(name: string, grade: number): Promise<boolean> 
 }
 
 export const showsGait = () => workspace.value === 'gait';
+export const showsCrowd = () => workspace.value === 'crowd';
 
 /** The engine has gone to another ground by itself: that of a gait. */
 export async function showNewGround(): Promise<void> {
@@ -112,7 +113,7 @@ export async function showNewGround(): Promise<void> {
     figures.value = null;
   });
   history.clear();
-  await step(0);
+  await ownShow.step(0, 1);
 }
 
 export function setMode(wanted: FootMode): void {
@@ -121,12 +122,39 @@ export function setMode(wanted: FootMode): void {
   void engine.call('setMode', wanted);
 }
 
-export async function restart(): Promise<void> {
-  await engine.call('restart');
-  history.clear();
-  figures.value = null;
-  await step(0);
+/** What the timeline's buttons work on. */
+export interface Show {
+  restart: () => Promise<void>;
+  /** So many frames of 1/60 s, or of a `parts`th of that, on. */
+  step: (frames: number, parts: number) => Promise<void>;
+  /** [s] since its start */
+  seconds: () => number;
 }
+
+const ownShow: Show = {
+  async restart() {
+    await engine.call('restart');
+    history.clear();
+    figures.value = null;
+    await this.step(0, 1);
+  },
+  async step(frames, parts) {
+    while (engine.busy) await new Promise((resolve) => setTimeout(resolve, 1));
+    take(await engine.advance(frames, parts, asked));
+  },
+  seconds: () => (facts.value ? (frame[facts.value.layout.time] ?? 0) : 0),
+};
+let show = ownShow;
+
+/** Another show than that of the one character; null: that again. */
+export function present(other: Show | null): void {
+  show = other ?? ownShow;
+}
+
+export const restart = () => show.restart();
+/** On, whether it plays or not. */
+export const step = (frames: number, parts = 1) => show.step(frames, parts);
+export const shownSeconds = () => show.seconds();
 
 let asked: Steering = { patrol: patrolSpeed.value };
 /** What is asked for while nobody steers: that of a puck; null: it patrols, or stands. */
@@ -148,12 +176,6 @@ function take(arrived: Float32Array): void {
   frame = arrived as Float32Array<ArrayBuffer>;
   if (facts.value) history.add(arrived, facts.value.layout);
   frameCount.value++;
-}
-
-/** So many steps on, whether it plays or not. */
-export async function step(frames: number, parts = 1): Promise<void> {
-  while (engine.busy) await new Promise((resolve) => setTimeout(resolve, 1));
-  take(await engine.advance(frames, parts, asked));
 }
 
 let owed = 0;

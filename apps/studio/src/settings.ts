@@ -30,11 +30,11 @@ const isNumberIn = (low: number, high: number) => (value: unknown) =>
   typeof value === 'number' && value >= low && value <= high;
 
 export type Theme = 'system' | 'light' | 'dark';
-export type Workspace = 'terrain' | 'space' | 'gait';
+export type Workspace = 'terrain' | 'space' | 'gait' | 'crowd';
 export type CameraView = 'follow' | 'side' | 'front' | 'feet';
 export const k_rates = [1, 2, 4, 10] as const;
 
-export const workspace = kept<Workspace>('workspace', 'terrain', isOneOf('terrain', 'space', 'gait'));
+export const workspace = kept<Workspace>('workspace', 'terrain', isOneOf('terrain', 'space', 'gait', 'crowd'));
 export const theme = kept<Theme>('theme', 'system', isOneOf('system', 'light', 'dark'));
 export const course = kept<string>('course', 'hills', (value) => typeof value === 'string');
 export const gradeDeg = kept<number>('grade', 15, isNumberIn(0, 45));
@@ -50,6 +50,12 @@ export const overlays = {
   contacts: kept('overlay.contacts', true, isFlag),
   footholds: kept('overlay.footholds', true, isFlag),
 };
+
+export const k_most_crowd = 10000;
+export const crowdCount = kept<number>('crowd', 500, (value) => isNumberIn(1, k_most_crowd)(value) && Number.isInteger(value));
+/** Poses of who is far away last for several frames. */
+export const lastingPoses = kept('crowd.lasting', false, isFlag);
+export const crowdView = kept<'above' | 'among'>('crowd.view', 'above', isOneOf('above', 'among'));
 
 /** What was made of a gait: kept, so that it survives a reload. */
 export interface GaitWork {

@@ -1,16 +1,40 @@
 // The page's side of the engine: typed calls, and frames that come one at a time.
-import type { CallName, Calls, FromWorker, Steering, ToWorker } from './messages';
+import type { CallName, Calls, CrowdFrame, FromWorker, Steering, ToWorker } from './messages';
 
 type Waiting = { resolve: (value: never) => void; reject: (error: Error) => void };
+
+/** Frames travel in two buffers: one is shown while the other is filled. */
+class Exchange<Frame> {
+  #spare = new ArrayBuffer(0);
+  #shown = new ArrayBuffer(0);
+  #waiting: ((frame: Frame) => void) | undefined;
+
+  get busy(): boolean {
+    return this.#waiting !== undefined;
+  }
+
+  /** `send` posts the buffer that is free. */
+  ask(send: (buffer: ArrayBuffer) => void): Promise<Frame> {
+    if (this.busy) throw new Error('one frame at a time');
+    send(this.#spare);
+    return new Promise((resolve) => (this.#waiting = resolve));
+  }
+
+  arrived(buffer: ArrayBuffer, frame: Frame): void {
+    this.#spare = this.#shown;
+    this.#shown = buffer;
+    const resolve = this.#waiting;
+    this.#waiting = undefined;
+    resolve?.(frame);
+  }
+}
 
 export class EngineClient {
   readonly #worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'surefoot' });
   readonly #waiting = new Map<number, Waiting>();
   #nextId = 1;
-  // Frames travel in two buffers: one is shown while the other is filled.
-  #spare = new ArrayBuffer(0);
-  #shown = new ArrayBuffer(0);
-  #frameWaiting: ((frame: Float32Array) => void) | undefined;
+  readonly #frames = new Exchange<Float32Array>();
+  readonly #crowds = new Exchange<CrowdFrame>();
 
   constructor(onCrash: (message: string) => void) {
     this.#worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#receive(data);
@@ -28,14 +52,21 @@ export class EngineClient {
 
   /** True while a frame is on its way: another would have to wait behind it. */
   get busy(): boolean {
-    return this.#frameWaiting !== undefined;
+    return this.#frames.busy;
   }
 
   /** So many frames of 1/60 s, or of a `parts`th of that, on. The frame is valid until the next one has come. */
   advance(frames: number, parts: number, steering: Steering): Promise<Float32Array> {
-    if (this.busy) throw new Error('one frame at a time');
-    this.#post({ kind: 'advance', frames, parts, steering, buffer: this.#spare }, [this.#spare]);
-    return new Promise((resolve) => (this.#frameWaiting = resolve));
+    return this.#frames.ask((buffer) => this.#post({ kind: 'advance', frames, parts, steering, buffer }, [buffer]));
+  }
+
+  get crowdBusy(): boolean {
+    return this.#crowds.busy;
+  }
+
+  /** One frame of the crowd, seen from x, z [m]. It is valid until the next one has come. */
+  advanceCrowd(seconds: number, eye: [number, number], lasting: boolean): Promise<CrowdFrame> {
+    return this.#crowds.ask((buffer) => this.#post({ kind: 'crowd', seconds, eye, lasting, buffer }, [buffer]));
   }
 
   #post(message: ToWorker, transfer: Transferable[] = []): void {
@@ -44,11 +75,12 @@ export class EngineClient {
 
   #receive(message: FromWorker): void {
     if (message.kind === 'frame') {
-      this.#spare = this.#shown;
-      this.#shown = message.buffer;
-      const resolve = this.#frameWaiting;
-      this.#frameWaiting = undefined;
-      resolve?.(new Float32Array(message.buffer));
+      this.#frames.arrived(message.buffer, new Float32Array(message.buffer));
+      return;
+    }
+    if (message.kind === 'crowd') {
+      const { buffer, posed, animationMs } = message;
+      this.#crowds.arrived(buffer, { texels: new Float32Array(buffer), posed, animationMs });
       return;
     }
     const waiting = this.#waiting.get(message.id);

@@ -1,8 +1,8 @@
 // What the page and the engine's worker say to each other.
-import type { CharacterFacts, Surefoot } from '@bindings/surefoot.mjs';
+import type { CharacterFacts, CrowdFacts, Surefoot } from '@bindings/surefoot.mjs';
 
 export type {
-  CharacterFacts, Figure, FigureValue, Finding, FootMode, FrameLayout, GaitFacts, GaitParameter, GaitPlayed, SpaceFacts,
+  CharacterFacts, CrowdFacts, Figure, FigureValue, Finding, FootMode, FrameLayout, GaitFacts, GaitParameter, GaitPlayed, SpaceFacts,
   SpacesFacts,
 } from '@bindings/surefoot.mjs';
 
@@ -16,6 +16,20 @@ export interface CharacterMesh {
   weights: Float32Array;
   triangles: Uint32Array;
   inverseBind: Float32Array;
+}
+
+/** All levels of a crowd's mesh in one (CrowdFacts.levels). */
+export type CrowdMesh = Omit<CharacterMesh, 'inverseBind'>;
+
+/** A crowd's frame is a picture of this many texels a row, four floats each: one a character, its root, then three a
+ *  character and joint, the rows of its matrix. So it goes to the graphics card as it comes. */
+export const k_crowd_row = 2048;
+
+export interface CrowdFrame {
+  texels: Float32Array;
+  /** How many were posed, and [ms] what that and moving all of them took. */
+  posed: number;
+  animationMs: number;
 }
 
 export interface TerrainMesh {
@@ -36,6 +50,7 @@ export interface Calls extends Pick<Surefoot, Forwarded> {
   openProject(files: [string, Uint8Array][]): { facts: CharacterFacts; mesh: CharacterMesh };
   setCourse(name: string, gradeDeg: number): TerrainMesh;
   ground(): TerrainMesh;
+  crowd(count: number): { facts: CrowdFacts; mesh: CrowdMesh };
 }
 
 export type CallName = keyof Calls;
@@ -43,9 +58,12 @@ export type CallName = keyof Calls;
 export type ToWorker =
   | { kind: 'call'; id: number; name: CallName; args: unknown[] }
   /** Advances; the answer is one frame in `buffer`, which goes back and forth. */
-  | { kind: 'advance'; frames: number; parts: number; steering: Steering; buffer: ArrayBuffer };
+  | { kind: 'advance'; frames: number; parts: number; steering: Steering; buffer: ArrayBuffer }
+  /** The same for the crowd. */
+  | { kind: 'crowd'; seconds: number; eye: [number, number]; lasting: boolean; buffer: ArrayBuffer };
 
 export type FromWorker =
   | { kind: 'answer'; id: number; result: unknown }
   | { kind: 'failure'; id: number; message: string }
-  | { kind: 'frame'; buffer: ArrayBuffer };
+  | { kind: 'frame'; buffer: ArrayBuffer }
+  | { kind: 'crowd'; buffer: ArrayBuffer; posed: number; animationMs: number };

@@ -1,7 +1,7 @@
 // The engine off the main thread: the C++ of surefoot.wasm, one character on one stage.
 import wasmUrl from '@wasm?url';
 import { load, type Surefoot } from '@bindings/surefoot.mjs';
-import type { Calls, CharacterMesh, FromWorker, TerrainMesh, ToWorker } from './messages';
+import { k_crowd_row, type Calls, type CharacterMesh, type CrowdMesh, type FromWorker, type TerrainMesh, type ToWorker } from './messages';
 
 let engine: Surefoot | undefined;
 
@@ -19,6 +19,17 @@ function mesh(): CharacterMesh {
     weights: surefoot.array('weights').slice(),
     triangles: surefoot.array('triangles').slice(),
     inverseBind: surefoot.array('inverseBind').slice(),
+  };
+}
+
+function crowdMesh(): CrowdMesh {
+  const surefoot = running();
+  return {
+    positions: surefoot.array('crowdPositions').slice(),
+    normals: surefoot.array('crowdNormals').slice(),
+    joints: surefoot.array('crowdJoints').slice(),
+    weights: surefoot.array('crowdWeights').slice(),
+    triangles: surefoot.array('crowdTriangles').slice(),
   };
 }
 
@@ -55,6 +66,7 @@ const calls: { [Name in keyof Calls]: (...args: Parameters<Calls[Name]>) => Retu
   gaitStop: () => running().gaitStop(),
   gaitFile: (format) => running().gaitFile(format),
   ground,
+  crowd: (count) => ({ facts: running().crowd(count), mesh: crowdMesh() }),
 };
 
 const post = (message: FromWorker, transfer: Transferable[] = []) =>
@@ -69,18 +81,36 @@ async function answer(id: number, name: keyof Calls, args: unknown[]): Promise<v
   }
 }
 
-self.onmessage = ({ data }: MessageEvent<ToWorker>) => {
-  if (data.kind === 'call') {
-    void answer(data.id, data.name, data.args);
-    return;
-  }
+/** The one array that poses are ever copied to: it travels to the page and back again. */
+const roomFor = (bytes: number, buffer: ArrayBuffer) => (buffer.byteLength === bytes ? buffer : new ArrayBuffer(bytes));
+
+function advance({ frames, parts, steering, buffer: given }: Extract<ToWorker, { kind: 'advance' }>): void {
   const surefoot = running();
-  if ('patrol' in data.steering) surefoot.patrol(data.steering.patrol);
-  else surefoot.steer(data.steering.speed, data.steering.lateral, data.steering.turn);
-  surefoot.advance(data.frames, data.parts);
+  if ('patrol' in steering) surefoot.patrol(steering.patrol);
+  else surefoot.steer(steering.speed, steering.lateral, steering.turn);
+  surefoot.advance(frames, parts);
   const frame = surefoot.array('frame');
-  // The one array that a pose is ever copied to: it travels to the page and back again.
-  const buffer = data.buffer.byteLength === frame.byteLength ? data.buffer : new ArrayBuffer(frame.byteLength);
+  const buffer = roomFor(frame.byteLength, given);
   new Float32Array(buffer).set(frame);
   post({ kind: 'frame', buffer }, [buffer]);
+}
+
+function advanceCrowd({ seconds, eye, lasting, buffer: given }: Extract<ToWorker, { kind: 'crowd' }>): void {
+  const surefoot = running();
+  const begun = performance.now();
+  const posed = surefoot.crowdAdvance(seconds, eye[0], eye[1], lasting);
+  const animationMs = performance.now() - begun;
+  const roots = surefoot.array('crowdRoots'), matrices = surefoot.array('crowdMatrices');
+  const rows = Math.ceil((roots.length + matrices.length) / (4 * k_crowd_row));
+  const buffer = roomFor(rows * 16 * k_crowd_row, given);
+  const texels = new Float32Array(buffer);
+  texels.set(roots);
+  texels.set(matrices, roots.length);
+  post({ kind: 'crowd', buffer, posed, animationMs }, [buffer]);
+}
+
+self.onmessage = ({ data }: MessageEvent<ToWorker>) => {
+  if (data.kind === 'call') void answer(data.id, data.name, data.args);
+  else if (data.kind === 'advance') advance(data);
+  else advanceCrowd(data);
 };

@@ -10,8 +10,8 @@ import { isDark, k_side_colors } from '../view/theme';
 const k_redraw_ms = 60;
 const k_lane = 7; // [px]
 const k_names = ['Left', 'Right'];
-const css = (color: number) => `#${color.toString(16).padStart(6, '0')}`;
-const token = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+export const css = (color: number) => `#${color.toString(16).padStart(6, '0')}`;
+export const token = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 /** Lanes along the bottom: full height where the sole is flat, the lower half for the heel, the upper for the toes. */
 function drawContacts(plot: uPlot): void {

@@ -1,17 +1,16 @@
 // The one timeline: play, step, slow motion, and what just happened.
-import { facts, frame, frameCount, playing, restart } from '../session';
+import { frameCount, playing, restart, shownSeconds, showsCrowd } from '../session';
 import { singleStep } from '../input';
 import { k_rates, slowness } from '../settings';
 import { Segmented } from './controls';
+import { CostStrip } from './cost_strip';
 import { Strip } from './strip';
 
 const k_rate_names: Record<number, string> = { 1: '1×', 2: '½×', 4: '¼×', 10: '⅒×' };
 
 function Clock() {
   void frameCount.value;
-  const known = facts.value;
-  const now = known ? (frame[known.layout.time] ?? 0) : 0;
-  return <output class="clock">{now.toFixed(2)} s</output>;
+  return <output class="clock">{shownSeconds().toFixed(2)} s</output>;
 }
 
 export function Timeline() {
@@ -43,7 +42,7 @@ export function Timeline() {
         />
         <Clock />
       </div>
-      <Strip />
+      {showsCrowd() ? <CostStrip /> : <Strip />}
     </footer>
   );
 }

@@ -47,6 +47,7 @@ function run(canvas: HTMLCanvasElement): () => void {
     cancelAnimationFrame(asked);
     watch.disconnect();
     stops.forEach((stop) => stop());
+    picture.dispose();
   };
 }
 

@@ -8,6 +8,7 @@ import type { CameraView } from '../settings';
 import { CharacterView } from './character';
 import { GroundView } from './ground';
 import { Overlays } from './overlays';
+import { Pixels } from './pixels';
 import type { Palette } from './theme';
 
 // Where the camera stands about the point it looks at, in the character's frame [m], and how high that is.
@@ -18,9 +19,6 @@ const k_views: Record<CameraView, { offset: [number, number, number]; height: nu
   feet: { offset: [1.5, 0.5, -0.7], height: 0.25 },
 };
 const k_follow_rate = 7; // [1/s] of the camera after the character
-const k_slow_picture_s = 1 / 22;
-const k_judged_pictures = 24;
-const k_least_scale = 0.6;
 
 export class Picture {
   readonly #renderer: WebGLRenderer;
@@ -36,9 +34,7 @@ export class Picture {
   #palette: Palette | undefined;
   #view: CameraView = 'follow';
   #settled = false; // false: the camera jumps to its place
-  #slow = 0;
-  #judged = 0;
-  #scale = 1;
+  readonly #pixels = new Pixels();
 
   /** Throws where the browser has no WebGL 2. */
   constructor(canvas: HTMLCanvasElement) {
@@ -65,7 +61,7 @@ export class Picture {
   }
 
   resize(width: number, height: number, pixelRatio: number): void {
-    this.#renderer.setPixelRatio(Math.min(pixelRatio, 2) * this.#scale);
+    this.#renderer.setPixelRatio(Math.min(pixelRatio, 2) * this.#pixels.scale);
     this.#renderer.setSize(width, height, false);
     this.#camera.aspect = width / Math.max(height, 1);
     this.#camera.updateProjectionMatrix();
@@ -114,7 +110,7 @@ export class Picture {
     this.#overlays.update(frame, layout, ankles, shown);
     this.#follow(new Vector3().fromArray(frame, layout.root), frame[layout.root + 3] ?? 0, seconds);
     this.#renderer.render(this.#scene, this.#camera);
-    return this.#tooSlow(seconds);
+    return this.#pixels.judge(seconds);
   }
 
   #follow(root: Vector3, yaw: number, seconds: number): void {
@@ -138,14 +134,9 @@ export class Picture {
     this.#sun.position.copy(this.#sun.target.position).add(new Vector3(4.2, 8, -3));
   }
 
-  /** A machine that draws in software gets fewer pixels. */
-  #tooSlow(seconds: number): boolean {
-    if (this.#scale <= k_least_scale || seconds <= 0 || seconds > 1) return false;
-    this.#slow += seconds > k_slow_picture_s ? 1 : 0;
-    if (++this.#judged < k_judged_pictures) return false;
-    const slow = this.#slow > 0.7 * this.#judged;
-    this.#slow = this.#judged = 0;
-    if (slow) this.#scale = Math.max(this.#scale - 0.2, k_least_scale);
-    return slow;
+  dispose(): void {
+    this.#controls.dispose();
+    this.#renderer.dispose();
+    this.#renderer.forceContextLoss(); // browsers keep few contexts, and not all give back those of gone canvases
   }
 }

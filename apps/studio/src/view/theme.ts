@@ -18,12 +18,17 @@ export interface Palette {
   fillSky: number;
   fillGround: number;
   fillStrength: number;
+  /** Of who goes in a crowd. */
+  crowd: readonly number[];
 }
+
+const k_light_crowd = [0xeadcc8, 0xc9b79a, 0xa9bcc0, 0xd6a98a, 0x8fa79b] as const;
+const k_dark_crowd = [0xe2d9cb, 0xb9a88c, 0x93abb2, 0xc4926f, 0x7d9a8d] as const;
 
 export const palette = computed<Palette>(() =>
   isDark.value
-    ? { sky: 0x14181b, ground: 0x3f4b4a, line: 0x7d8d8a, body: 0xe2d9cb, sun: 0xfff1dc, sunStrength: 2.6, fillSky: 0x9db4c0, fillGround: 0x2c2a26, fillStrength: 0.9 }
-    : { sky: 0xe3eaec, ground: 0xb4c2bd, line: 0x77898a, body: 0xeadcc8, sun: 0xfff4e4, sunStrength: 2.4, fillSky: 0xeaf3f8, fillGround: 0x8d8a80, fillStrength: 1.35 },
+    ? { sky: 0x14181b, ground: 0x3f4b4a, line: 0x7d8d8a, body: 0xe2d9cb, sun: 0xfff1dc, sunStrength: 2.6, fillSky: 0x9db4c0, fillGround: 0x2c2a26, fillStrength: 0.9, crowd: k_dark_crowd }
+    : { sky: 0xe3eaec, ground: 0xb4c2bd, line: 0x77898a, body: 0xeadcc8, sun: 0xfff4e4, sunStrength: 2.4, fillSky: 0xeaf3f8, fillGround: 0x8d8a80, fillStrength: 1.35, crowd: k_light_crowd },
 );
 
 /** Left and right, told apart by people who see colours differently, too. */
