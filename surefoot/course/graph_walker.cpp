@@ -2,6 +2,8 @@
 #include <surefoot/graph_text/graph_file.h>
 #include <surefoot/program/evaluate.h>
 
+#include <algorithm>
+
 namespace surefoot {
 namespace {
 
@@ -15,12 +17,13 @@ struct Going {
     float feet = 1;  ///< GraphFrame::feet
 };
 
-class GraphWalker final : public Walker {
+class GraphWalker final : public WatchedGraphWalker {
   public:
-    GraphWalker(const Pack& character, std::vector<ParameterValue> values, std::vector<PathLeg> path)
+    GraphWalker(const Pack& character, std::vector<ParameterValue> values, std::vector<PathLeg> path, GraphWatch watch)
         : character_(character),
           program_(character.program),
           values_(std::move(values)),
+          watch_(std::move(watch)),
           steering_(std::move(path)),
           scratch_(program_),
           frame_(program_),
@@ -47,6 +50,7 @@ class GraphWalker final : public Walker {
         steering_.advance(dt);
         say();
         go(now_, dt, true);
+        if (watch_) watch_(dt, frame_, scratch_);
         foresight_.begin(now_);
     }
     void limit_speed(float mps) noexcept override {
@@ -64,6 +68,19 @@ class GraphWalker final : public Walker {
         say();
         foresight_.begin(now_);
     }
+    void ask(const ParameterValue& value) noexcept override {
+        const auto same = [&](const ParameterValue& other) { return other.parameter == value.parameter; };
+        const auto found = std::find_if(values_.begin(), values_.end(), same);
+        // A trigger is pulled once, not at every start.
+        const auto index = static_cast<std::size_t>(value.parameter);
+        if (found != values_.end())
+            found->value = value.value;
+        else if (program_.parameters[index].kind != ParameterKind::trigger)
+            values_.push_back(value);
+        set(program_, now_.state, value.parameter, value.value);
+        foresight_.begin(now_);
+    }
+    std::span<const std::byte> state() const noexcept override { return now_.state; }
     RootFrame requested() const noexcept override { return now_.requested; }
     bool has_host() const noexcept override { return steering_.has_host(); }
     float feet() const noexcept override { return now_.feet; }
@@ -96,6 +113,7 @@ class GraphWalker final : public Walker {
     const Pack& character_;
     const Program& program_;
     std::vector<ParameterValue> values_;
+    GraphWatch watch_;
     Steering steering_;
     mutable GraphScratch scratch_;
     mutable GraphFrame frame_;
@@ -109,7 +127,12 @@ class GraphWalker final : public Walker {
 
 std::unique_ptr<Walker> make_graph_walker(const Pack& character, std::vector<ParameterValue> values,
                                           std::vector<PathLeg> path) {
-    return std::make_unique<GraphWalker>(character, std::move(values), std::move(path));
+    return std::make_unique<GraphWalker>(character, std::move(values), std::move(path), nullptr);
+}
+
+std::unique_ptr<WatchedGraphWalker> make_watched_graph_walker(const Pack& character, GraphWatch watch) {
+    return std::make_unique<GraphWalker>(character, std::vector<ParameterValue>{}, std::vector<PathLeg>{},
+                                         std::move(watch));
 }
 
 }  // namespace surefoot

@@ -9,7 +9,9 @@
 #include <surefoot/motion/motion.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -19,6 +21,8 @@ namespace surefoot {
 struct Character;
 struct Pack;
 struct LocomotionRequest;
+class GraphFrame;
+class GraphScratch;
 
 inline constexpr float k_walk_fps = 60;
 
@@ -70,6 +74,18 @@ struct ParameterValue {
 /// outlive the walker.
 std::unique_ptr<Walker> make_graph_walker(const Pack& character, std::vector<ParameterValue> values = {},
                                           std::vector<PathLeg> path = {});
+
+/// The same for who sets parameters on the way and looks at what plays.
+class WatchedGraphWalker : public Walker {
+  public:
+    /// Asks for a value from now on; of speed and turn as long as nobody steers.
+    virtual void ask(const ParameterValue& value) noexcept = 0;
+    virtual std::span<const std::byte> state() const noexcept = 0;
+};
+/// Called after each step of the way, of `dt` seconds, with what program/evaluate.h left: nobody has looked ahead
+/// since.
+using GraphWatch = std::function<void(float dt, const GraphFrame& frame, const GraphScratch& scratch)>;
+std::unique_ptr<WatchedGraphWalker> make_watched_graph_walker(const Pack& character, GraphWatch watch);
 
 struct WalkRequest {
     float speed_mps = 1.4f;

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace surefoot {
@@ -21,6 +22,11 @@ inline constexpr int k_graph_version = 1;
 /// reported in `warnings`, how well clips were packed in `packing`, in the order of the program's.
 Pack load_graph(const std::filesystem::path& file, std::vector<std::string>* warnings = nullptr,
                 std::vector<PackReport>* packing = nullptr);
+
+/// The same of a graph's text alone, for a character that is there already, whatever project the text names. `where`
+/// names the text in messages. Throws Error for what needs a folder: another graph, files in slots.
+Pack read_graph(std::string_view text, const std::string& where, Character character,
+                std::vector<std::string>* warnings = nullptr);
 
 /// The graph of one node: a live gait, steered by the parameters "speed" [m/s], "turn" [deg/s] and, where it has
 /// several manners, "manner". `own_speed` [m/s] is that of a gait of one clip.

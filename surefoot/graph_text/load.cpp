@@ -37,18 +37,23 @@ void make_paths_whole(Json& json, const std::filesystem::path& folder) {
     }
 }
 
+Json parse_graph(std::string_view text, const std::string& where) {
+    Json json;
+    try {
+        json = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        throw Error("it is no JSON: " + std::string(error.what()), where, "mend the place that is named");
+    }
+    JsonNode(json, where, "", nullptr).at(k_version_key).integer(k_graph_version, k_graph_version);
+    return json;
+}
+
 Json read_merged(const std::filesystem::path& file, int depth) {
     constexpr int k_most_tiers = 8;
     if (depth > k_most_tiers)
         throw Error("graphs extend one another more than 8 deep", file.string(), "does one extend itself?");
-    Json json;
-    try {
-        json = Json::parse(read_file(file));
-    } catch (const Json::parse_error& error) {
-        throw Error("it is no JSON: " + std::string(error.what()), file.string(), "mend the place that is named");
-    }
+    Json json = parse_graph(read_file(file), file.string());
     JsonNode root(json, file.string(), "", nullptr);
-    root.at(k_version_key).integer(k_graph_version, k_graph_version);
     const bool extends = root.has("extends");
     const std::string base_file = extends ? root.at("extends").text() : std::string();
     make_paths_whole(json, file.parent_path());
@@ -148,6 +153,13 @@ class Slots {
 /// The live gaits that a graph's slots name; those that the program carries may be named without a slot.
 class Gaits {
   public:
+    /// Of a graph; notes the keys that editors and versions need on the way.
+    explicit Gaits(JsonNode& root) {
+        root.at(k_version_key);
+        if (root.has("$schema")) root.at("$schema").text();  // for editors
+        if (root.has("gaits"))
+            for (const auto& [slot, gait] : root.at("gaits").entries()) fill(slot, gait);
+    }
     void fill(const std::string& slot, JsonNode node) {
         if (node.json().is_string()) {
             add(slot, node.text(), node);
@@ -211,42 +223,16 @@ void take_body(Pack& pack, const Character& character) {
     pack.hip_height = character.hip_height;
 }
 
-}  // namespace
-
-bool is_graph_text(std::string_view text) {
-    const auto json = Json::parse(text.begin(), text.end(), nullptr, false);
-    return json.is_object() && json.contains(k_version_key);
-}
-
-Pack load_graph(const std::filesystem::path& file, std::vector<std::string>* warnings,
-                std::vector<PackReport>* packing) {
-    const Json json = read_merged(file, 0);
-    JsonNode root(json, file.string(), "", warnings);
-    root.at(k_version_key);
-    if (root.has("$schema")) root.at("$schema").text();  // for editors
-    Gaits gaits;
-    if (root.has("gaits"))
-        for (const auto& [slot, gait] : root.at("gaits").entries()) gaits.fill(slot, gait);
-    Project project;
-    std::filesystem::path project_file;
-    Character character;
-    if (gaits.rigs().empty() || root.has("project")) {
-        project_file = root.at("project").text();
-        if (std::filesystem::is_directory(project_file)) project_file /= "project.json";
-        project = load_project(project_file, warnings);
-        character = bake_character(project, project_file.parent_path());
-    } else {
-        character = character_of(*gaits.rigs().front());
-    }
-    if (warnings) warnings->insert(warnings->end(), character.warnings.begin(), character.warnings.end());
-
-    Slots slots(character, project, project_file.parent_path());
+/// The program of a graph whose character has been found. `folder` is the project's.
+Pack build_graph(JsonNode& root, const std::string& file, Gaits& gaits, Character& character, const Project& project,
+                 const std::filesystem::path& folder) {
+    Slots slots(character, project, folder);
     if (root.has("clips"))
         for (const auto& [slot, clip] : root.at("clips").entries()) slots.fill(slot, clip);
 
     Pack result;
     Program& program = result.program;
-    program.name = root.has("name") ? root.at("name").text() : file.stem().string();
+    program.name = root.has("name") ? root.at("name").text() : std::filesystem::path(file).stem().string();
     program.body = std::move(character.graph);
     character.graph = {};
     character.graph.clips = program.body.clips;  // those that nodes name directly still join
@@ -281,15 +267,54 @@ Pack load_graph(const std::filesystem::path& file, std::vector<std::string>* war
     };
     sources.rig_of = [&](const JsonNode& name) { return gaits.find(name); };
     read_nodes(program, root.at("nodes"), root.at("root"), sources);
-    gaits.check(*program.body.skeleton, file.string());
+    gaits.check(*program.body.skeleton, file);
     program.rigs = gaits.rigs();
     root.finish();
     lay_out(program);
     if (const std::string text = problem(program); !text.empty())
-        throw Error(text, file.string(), "mend the node that is named");
-    if (packing) *packing = std::move(character.packing);
+        throw Error(text, file, "mend the node that is named");
     take_body(result, character);
     return result;
+}
+
+}  // namespace
+
+bool is_graph_text(std::string_view text) {
+    const auto json = Json::parse(text.begin(), text.end(), nullptr, false);
+    return json.is_object() && json.contains(k_version_key);
+}
+
+Pack load_graph(const std::filesystem::path& file, std::vector<std::string>* warnings,
+                std::vector<PackReport>* packing) {
+    const Json json = read_merged(file, 0);
+    JsonNode root(json, file.string(), "", warnings);
+    Gaits gaits(root);
+    Project project;
+    std::filesystem::path project_file;
+    Character character;
+    if (gaits.rigs().empty() || root.has("project")) {
+        project_file = root.at("project").text();
+        if (std::filesystem::is_directory(project_file)) project_file /= "project.json";
+        project = load_project(project_file, warnings);
+        character = bake_character(project, project_file.parent_path());
+    } else {
+        character = character_of(*gaits.rigs().front());
+    }
+    if (warnings) warnings->insert(warnings->end(), character.warnings.begin(), character.warnings.end());
+    Pack result = build_graph(root, file.string(), gaits, character, project, project_file.parent_path());
+    if (packing) *packing = std::move(character.packing);
+    return result;
+}
+
+Pack read_graph(std::string_view text, const std::string& where, Character character,
+                std::vector<std::string>* warnings) {
+    const Json json = parse_graph(text, where);
+    JsonNode root(json, where, "", warnings);
+    if (root.has("extends"))
+        root.at("extends").fail("a graph without a folder cannot extend another", "open one that stands by itself");
+    if (root.has("project")) root.at("project").text();  // whatever it names: the character is here
+    Gaits gaits(root);
+    return build_graph(root, where, gaits, character, {}, {});
 }
 
 Pack gait_graph(const std::shared_ptr<const LiveRig>& rig, const std::string& name, float own_speed) {

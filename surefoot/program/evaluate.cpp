@@ -262,4 +262,19 @@ std::string_view machine_state(const Program& program, std::span<const std::byte
     return machine->states[static_cast<std::size_t>(memory_at<MachineMemory>(state, at.memory).current)];
 }
 
+MachineStatus machine_status(const Program& program, std::span<const std::byte> state, int node) noexcept {
+    if (node < 0 || static_cast<std::size_t>(node) >= program.nodes.size()) return {};
+    const Node& at = program.nodes[static_cast<std::size_t>(node)];
+    if (!std::holds_alternative<MachineNode>(at.data)) return {};
+    const auto& memory = memory_at<MachineMemory>(state, at.memory);
+    return {memory.current, memory.transition, memory.elapsed, memory.in_state};
+}
+
+float node_weight(const GraphScratch& scratch, int node) noexcept {
+    const std::vector<NodeStep>& nodes = scratch.parts().nodes;
+    if (node < 0 || static_cast<std::size_t>(node) >= nodes.size()) return 0;
+    const NodeStep& step = nodes[static_cast<std::size_t>(node)];
+    return step.plays ? step.weight : 0.0f;
+}
+
 }  // namespace surefoot

@@ -100,6 +100,7 @@ class GraphScratch {
 
     struct Parts;
     Parts& parts() noexcept { return *parts_; }
+    const Parts& parts() const noexcept { return *parts_; }
 
   private:
     std::unique_ptr<Parts> parts_;
@@ -116,6 +117,16 @@ void pose(const Program& program, std::span<const std::byte> state, const GraphF
 
 /// Name of the state a machine is in, or heading for; empty where the node is no machine.
 std::string_view machine_state(const Program& program, std::span<const std::byte> state, int node) noexcept;
+/// What a machine is doing.
+struct MachineStatus {
+    int state = -1;       ///< it is in, or heading for; -1: the node is no machine
+    int transition = -1;  ///< index into MachineNode::transitions of the running one
+    float elapsed = 0;    ///< [s] of it
+    float in_state = 0;   ///< [s] since the state was entered
+};
+MachineStatus machine_status(const Program& program, std::span<const std::byte> state, int node) noexcept;
+/// Weight in the whole, [0, 1], that a node had in the last step that used this scratch; 0 of what is culled.
+float node_weight(const GraphScratch& scratch, int node) noexcept;
 /// The machine at that path, or -1.
 int find_node(const Program& program, std::string_view path) noexcept;
 

@@ -3,6 +3,7 @@
 #include <surefoot/graph_text/graph_file.h>
 #include <surefoot/ground/shapes.h>
 #include <surefoot/host/files.h>
+#include <surefoot/program/evaluate.h>
 #include <surefoot/synthetic/synthetic_set.h>
 
 #include "tests/support/folder.h"
@@ -76,6 +77,69 @@ TEST(GraphWalker, what_it_stands_on_and_how_feet_are_placed_go_round_by_the_grap
     }
     EXPECT_GT(planted_before, 60);
     EXPECT_EQ(planted_after, 0) << "the surface has put foot placement out of use";
+}
+
+TEST(GraphWalker, lets_itself_be_told_and_watched) {
+    test::Folder folder;
+    author_motions(make_synthetic_set().clips, folder.path);
+    write_file(folder.path / "walk.json", R"({"surefoot_graph": 1, "project": ".",
+        "parameters": {"speed": {"low": 0, "high": 4}, "wave": {"type": "trigger"}, "share": {"low": 0, "high": 1}},
+        "groups": {"legs": {"events": {"left_strike": 0}}},
+        "nodes": {"move": {"type": "locomotion", "speed": "speed", "group": "legs"},
+                  "mixed": {"type": "lerp", "from": "move", "to": {"type": "clip", "clip": "idle"}, "weight": "share"},
+                  "hero": {"type": "machine", "states": {"free": "mixed", "waving": "move"},
+                    "transitions": {"begin": {"from": "free", "to": "waving", "seconds": 1, "curve": "linear",
+                                              "when": [{"trigger": "wave"}]}}}}, "root": "hero"})");
+    const Pack graph = load_graph(folder.path / "walk.json");
+    const Program& program = graph.program;
+    const int root = static_cast<int>(program.nodes.size()) - 1;
+    const int states[] = {program.nodes.back().children[0], program.nodes.back().children[1]};
+    std::vector<float> weights(program.nodes.size());
+    int steps = 0, strikes = 0;
+    const auto walker = make_watched_graph_walker(graph, [&](float dt, const GraphFrame& frame, const GraphScratch& s) {
+        EXPECT_EQ(dt, 1 / k_walk_fps);
+        for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = node_weight(s, static_cast<int>(i));
+        for (const GraphEvent& event : frame.events())
+            strikes += program.events[static_cast<std::size_t>(event.event)] == "left_strike";
+        ++steps;
+    });
+    const auto weight = [&](int node) { return weights[static_cast<std::size_t>(node)]; };
+    std::vector<Transform> locals(graph.standing.size());
+    const auto play = [&](int frames) {
+        for (int f = 0; f < frames; ++f) {
+            walker->advance(1 / k_walk_fps);
+            RootFrame ahead;
+            walker->look(0.3f, ahead, locals);  // looking ahead is not told of
+        }
+    };
+    walker->start(1.4f);
+    EXPECT_EQ(steps, 0) << "its run-up is nobody's business";
+    walker->ask({program.parameter("share"), 0.25f});
+    play(120);
+    EXPECT_EQ(steps, 120);
+    EXPECT_GE(strikes, 1);
+    EXPECT_LE(strikes, 3);
+    EXPECT_EQ(weight(root), 1);
+    EXPECT_EQ(weight(states[0]), 1);
+    EXPECT_EQ(weight(states[1]), 0);
+    EXPECT_NEAR(weight(program.nodes[static_cast<std::size_t>(states[0])].children[1]), 0.25f, 1e-6f);
+    EXPECT_EQ(machine_status(program, walker->state(), root).transition, -1);
+    EXPECT_EQ(machine_status(program, walker->state(), states[1]).state, -1) << "no machine";
+    walker->ask({program.parameter("wave"), 1});
+    play(30);
+    const MachineStatus status = machine_status(program, walker->state(), root);
+    EXPECT_EQ(status.state, 1);
+    EXPECT_EQ(status.transition, 0);
+    EXPECT_NEAR(status.elapsed, 0.5f, 0.02f);
+    EXPECT_NEAR(weight(states[1]), 0.5f, 0.02f);
+    EXPECT_NEAR(weight(states[0]) + weight(states[1]), 1, 1e-6f);
+    play(40);
+    EXPECT_EQ(machine_status(program, walker->state(), root).transition, -1);
+    EXPECT_EQ(weight(states[1]), 1);
+    walker->start(1.4f);
+    play(1);
+    EXPECT_EQ(machine_status(program, walker->state(), root).state, 0) << "a trigger is pulled once";
+    EXPECT_NEAR(get(program, walker->state(), program.parameter("share")), 0.25f, 1e-6f);
 }
 
 }  // namespace

@@ -260,5 +260,42 @@ TEST_F(GraphFile, every_key_of_the_schema_is_known) {
     EXPECT_NE(warnings[0].find("rate_per_h"), std::string::npos) << warnings[0];
 }
 
+TEST_F(GraphFile, is_read_from_memory_for_a_character_that_is_there_already) {
+    const Pack from_file = load_graph(write(k_graph));
+    const Character character = bake_character(load_project(folder_.path / "project.json"), folder_.path);
+    const Pack read = read_graph(k_graph, "page", character);
+    EXPECT_EQ(read.program.name, from_file.program.name);
+    EXPECT_EQ(read.hip_height, from_file.hip_height);
+    const auto play = [](const Program& program) {
+        std::vector<std::byte> state(program.state_size);
+        GraphScratch scratch(program);
+        GraphFrame frame(program);
+        start(program, state);
+        set(program, state, program.parameter("speed"), 1.4f);
+        for (int f = 0; f < 90; ++f) {
+            if (f == 30) set(program, state, program.parameter("wave"), 1);
+            GraphInput input;
+            input.dt = 1.0f / 60;
+            update(program, state, input, scratch, frame);
+        }
+        std::vector<Transform> locals(program.body.skeleton->rest.size());
+        pose(program, state, frame, scratch, locals);
+        return std::pair(state, locals);
+    };
+    EXPECT_EQ(play(read.program), play(from_file.program));
+    const auto error = [&](const std::string& text) {
+        try {
+            read_graph(text, "page", character);
+        } catch (const Error& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    EXPECT_NE(error(R"({"surefoot_graph": 1, "extends": "other.json"})").find("page: /extends"), std::string::npos);
+    EXPECT_NE(error("{").find("page"), std::string::npos);
+    EXPECT_NE(error(R"({"surefoot_graph": 1, "nodes": {}, "root": "x"})").find("there is no node 'x'"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace surefoot
