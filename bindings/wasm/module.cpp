@@ -5,6 +5,7 @@
 
 #include "crowd_stage.h"
 #include "gait_desk.h"
+#include "graph_desk.h"
 #include "scenario.h"
 #include "space_desk.h"
 #include "stage.h"
@@ -12,6 +13,7 @@
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/analysis/facts_json.h>
 #include <surefoot/base/error.h>
+#include <surefoot/graph_text/json_edit.h>
 #include <surefoot/io/bvh.h>
 #include <surefoot/space/triangulate.h>
 
@@ -49,6 +51,7 @@ std::unique_ptr<surefoot::wasm::Stage> g_stage;
 std::unique_ptr<surefoot::wasm::SpaceDesk> g_desk;
 std::unique_ptr<surefoot::wasm::GaitDesk> g_gait;     // none before a gait is asked for
 std::unique_ptr<surefoot::wasm::CrowdStage> g_crowd;  // none before a crowd is asked for
+std::unique_ptr<surefoot::wasm::GraphDesk> g_graph;   // none before a graph is asked for
 
 /// Arrays that stay in the module's memory, for views upon them: sf_array.
 enum Array {
@@ -128,7 +131,8 @@ std::string put_on_stage(surefoot::wasm::Opened opened) {
     g_desk = std::make_unique<surefoot::wasm::SpaceDesk>(std::move(opened.project), std::move(opened.poses));
     g_gait.reset();
     g_crowd.reset();
-    g_stage = std::move(stage);
+    g_stage = std::move(stage);  // before what its guest plays goes
+    g_graph.reset();
     return g_stage->describe();
 }
 
@@ -316,7 +320,7 @@ int sf_gait_play(const double* values, int count, double speed_mps, double turn_
     });
 }
 
-/// The character goes by its own clips again.
+/// The character goes by its own clips again, and in no gait and no graph.
 SUREFOOT_EXPORT(sf_gait_stop) void sf_gait_stop() {
     if (g_stage) g_stage->stop_playing();
 }
@@ -337,6 +341,40 @@ SUREFOOT_EXPORT(sf_crowd) int sf_crowd(int count) {
 /// One frame of the crowd (CrowdStage::advance); returns how many were posed, 0 without a crowd.
 SUREFOOT_EXPORT(sf_crowd_advance) int sf_crowd_advance(float seconds, float eye_x, float eye_z, int lasting) {
     return g_crowd ? g_crowd->advance(seconds, eye_x, eye_z, lasting != 0) : 0;
+}
+
+/// A graph for the character on the stage, which goes as it says from now on. Text: what it is (GraphDesk::describe).
+/// After an error all is as it was.
+SUREFOOT_EXPORT(sf_graph_read) int sf_graph_read(const char* text, std::size_t size) {
+    return guarded([&] {
+        if (!g_graph) g_graph = std::make_unique<surefoot::wasm::GraphDesk>(stage().character());
+        g_graph->read({text, size});
+        if (stage().guest() != g_graph->walker().get())
+            stage().play(g_graph->walker(), [] { return g_graph->asked(); });
+        return g_graph->describe();
+    });
+}
+
+/// Asks for the value of one of its parameters, by index.
+SUREFOOT_EXPORT(sf_graph_set) void sf_graph_set(int parameter, float value) {
+    if (g_graph) g_graph->set(parameter, value);
+}
+
+/// Text: what of the graph plays, and what has happened since the last call (GraphDesk::live).
+SUREFOOT_EXPORT(sf_graph_live) int sf_graph_live() {
+    return guarded([&] {
+        if (!g_graph) throw surefoot::Error("there is no graph yet", "", "read one first");
+        return g_graph->live();
+    });
+}
+
+/// Text: a JSON text with another value at a place, and every other byte as it was (json_edit.h).
+SUREFOOT_EXPORT(sf_json_edit)
+int sf_json_edit(const char* text, std::size_t size, const char* pointer, std::size_t pointer_size, const char* value,
+                 std::size_t value_size) {
+    return guarded([&] {
+        return surefoot::with_json_value({text, size}, {pointer, pointer_size}, {value, value_size});
+    });
 }
 
 /// Where an array begins and how many bytes it has; valid until the next call that opens, or changes the course.

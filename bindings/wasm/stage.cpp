@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace surefoot::wasm {
 namespace {
@@ -193,8 +194,8 @@ void Stage::set_course(const std::string& name, float grade_deg) {
 
 void Stage::put_on_course() {
     FootSettings settings;
-    settings.mode = cycle_ ? FootMode::none : mode_;
-    Walker& walker = cycle_ ? *cycle_ : *walker_;
+    settings.mode = guest_ ? FootMode::none : mode_;
+    Walker& walker = guest_ ? *guest_ : *walker_;
     placed_ = std::make_unique<PlacedWalker>(walker, *course_.ground, settings);
     restart();
 }
@@ -204,17 +205,28 @@ void Stage::play(Motion cycle) {
         cycle_->change(std::move(cycle));
         return;
     }
-    cycle_ = std::make_unique<CycleWalker>(std::move(cycle), character_.legs);
+    auto guest = std::make_shared<CycleWalker>(std::move(cycle), character_.legs);
+    CycleWalker* const walker = guest.get();
+    play(std::move(guest), nullptr);
+    cycle_ = walker;
+}
+
+void Stage::play(std::shared_ptr<Walker> guest, std::function<LocomotionRequest()> asks) {
+    const std::shared_ptr<Walker> gone = std::exchange(guest_, std::move(guest));
+    asks_ = std::move(asks);
+    cycle_ = nullptr;
     set_course("flat", grade_);
 }
 
 void Stage::stop_playing() {
-    if (!cycle_) return;
-    const std::unique_ptr<CycleWalker> gone = std::move(cycle_);
+    if (!guest_) return;
+    const std::shared_ptr<Walker> gone = std::move(guest_);
+    asks_ = nullptr;
+    cycle_ = nullptr;
     put_on_course();
 }
 
-/// A cycle that nobody steers comes to the end of what is shown of its ground.
+/// A guest that nobody turns around comes to the end of what is shown of its ground.
 bool Stage::is_off_course() const noexcept {
     const Vec3 at = placed_->root().position;
     return at.x < k_shown.x0 + k_margin || at.x > k_shown.x1 - k_margin || at.z < k_shown.z0 + k_margin ||
@@ -224,7 +236,7 @@ bool Stage::is_off_course() const noexcept {
 void Stage::set_mode(FootMode mode) noexcept {
     if (mode == mode_) return;
     mode_ = mode;
-    if (cycle_) return;
+    if (guest_) return;
     placed_->set_mode(mode);
     rolling_.clear();
     parts_done_ = 0;
@@ -258,8 +270,9 @@ void Stage::restart() {
 void Stage::advance(int frames, int parts) {
     const float dt = 1 / (k_walk_fps * static_cast<float>(parts));
     for (int f = 0; f < frames; ++f) {
-        if (cycle_ && is_off_course()) restart();
+        if (guest_ && is_off_course()) restart();
         const RootFrame before = placed_->root();
+        if (asks_) guest_->steer(asks_());
         walker_->steer(patrols_ ? patrol_.ask(before, patrol_speed_) : asked_);
         placed_->advance(dt);
         const RootFrame step = between(before, placed_->root());

@@ -11,6 +11,7 @@
 #include <surefoot/mannequin/mesh.h>
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -50,6 +51,11 @@ class Stage {
     /// From now on it goes in this cycle instead, of its own skeleton: on flat ground, feet not placed, steered by
     /// nobody. Further calls change the cycle on the way. Throws Error for what is no cycle.
     void play(Motion cycle);
+    /// From now on it goes as this walker of its own skeleton says, on flat ground, feet not placed. `asks` says what
+    /// is asked of it, once a frame.
+    void play(std::shared_ptr<Walker> guest, std::function<LocomotionRequest()> asks);
+    /// Who goes instead of its own clips; null: nobody.
+    const Walker* guest() const noexcept { return guest_.get(); }
     /// By its own clips again, on the course that it is on, from the start.
     void stop_playing();
     const Character& character() const noexcept { return character_; }
@@ -75,7 +81,9 @@ class Stage {
     Mesh mesh_;
     std::vector<float> inverse_bind_, frame_;
     std::unique_ptr<Walker> walker_;
-    std::unique_ptr<CycleWalker> cycle_;  ///< goes instead of it, if there is one
+    std::shared_ptr<Walker> guest_;  ///< goes instead of it, if there is one
+    std::function<LocomotionRequest()> asks_;
+    CycleWalker* cycle_ = nullptr;  ///< the guest, if it is one
     std::unique_ptr<PlacedWalker> placed_;
     Course course_;
     float grade_ = 15;

@@ -29,6 +29,10 @@ export interface Exports {
   sf_gait_play(values: number, count: number, speed: number, turn: number): number;
   sf_gait_stop(): void;
   sf_gait_file(format: number): number;
+  sf_graph_read(text: number, size: number): number;
+  sf_graph_set(parameter: number, value: number): void;
+  sf_graph_live(): number;
+  sf_json_edit(text: number, size: number, pointer: number, pointerSize: number, value: number, valueSize: number): number;
   sf_crowd(count: number): number;
   sf_crowd_advance(seconds: number, eyeX: number, eyeZ: number, lasting: number): number;
   sf_array(array: number): number;
@@ -223,6 +227,73 @@ export interface GaitPlayed {
   curves: { name: string; unit: string; values: (number | null)[] }[];
 }
 
+export interface GraphParameter {
+  name: string;
+  unit: string;
+  kind: 'number' | 'flag' | 'trigger';
+  initial: number;
+  low: number;
+  high: number;
+  /** [units/s]; 0: at once */
+  rate: number;
+}
+
+export interface GraphNode {
+  /** Where it stands in the file: a JSON pointer, where it has no odd characters. */
+  path: string;
+  type: string;
+  /** What of it matters most. */
+  detail: string;
+  /** Indices of nodes. */
+  children: number[];
+}
+
+export interface GraphTransition {
+  name: string;
+  /** Where it stands in the file. */
+  pointer: string;
+  /** Indices of states; -1: any but `to` */
+  from: number;
+  to: number;
+  seconds: number;
+  curve: string;
+  kind: 'feather' | 'inertialize';
+  /** Its conditions, in words. */
+  when: string;
+}
+
+export interface GraphMachine {
+  node: number;
+  path: string;
+  states: { name: string; node: number }[];
+  transitions: GraphTransition[];
+}
+
+export interface GraphFacts {
+  name: string;
+  parameters: GraphParameter[];
+  /** Children before parents; the last one is the root. */
+  nodes: GraphNode[];
+  machines: GraphMachine[];
+  events: string[];
+  /** Of transitions: how each goes from 0 to 1. */
+  curves: { name: string; values: number[] }[];
+  warnings: string[];
+}
+
+export interface GraphLive {
+  /** [s] since it began to play */
+  time: number;
+  /** Values now, by parameter. */
+  parameters: number[];
+  /** In the whole, by node. */
+  weights: number[];
+  /** By machine: its state, the running transition or -1, and [s] of it. */
+  machines: { state: number; transition: number; elapsed: number }[];
+  /** Since the last time that somebody asked: which of GraphFacts.events, and when. */
+  events: { event: number; time: number; weight: number }[];
+}
+
 /** Many of the character on the stage. */
 export interface CrowdFacts {
   count: number;
@@ -289,6 +360,13 @@ export interface Surefoot {
   gaitStop(): void;
   /** The gait's clip as a file. */
   gaitFile(format: 'bvh' | 'glb'): Uint8Array<ArrayBuffer>;
+  /** The character goes as this graph says from now on, until `gaitStop`. Read again with other numbers it goes on where
+   *  it was. Throws with the path to the node, and all stays as it was. */
+  graphRead(text: string): GraphFacts;
+  graphSet(parameter: number, value: number): void;
+  graphLive(): GraphLive;
+  /** A JSON text with `value` (JSON) at a pointer, and every other byte as it was. */
+  jsonEdit(text: string, pointer: string, value: string): string;
   /** So many of the character on the stage, from the start. */
   crowd(count: number): CrowdFacts;
   /** One frame of them; with `lasting`, poses far from the eye last for several frames. How many were posed. */

@@ -200,6 +200,28 @@ class Surefoot {
     return this.#bytes(this.#c.sf_gait_file(format === 'bvh' ? 0 : 1));
   }
 
+  /** The character goes as the graph of this text says from now on. */
+  graphRead(text) {
+    const bytes = new TextEncoder().encode(text);
+    return this.#with([bytes], (at) => JSON.parse(this.#text(this.#c.sf_graph_read(at, bytes.length))));
+  }
+
+  graphSet(parameter, value) {
+    this.#c.sf_graph_set(parameter, value);
+  }
+
+  graphLive() {
+    return JSON.parse(this.#text(this.#c.sf_graph_live()));
+  }
+
+  /** A JSON text with another value at a pointer, and every other byte as it was. */
+  jsonEdit(text, pointer, value) {
+    const parts = [text, pointer, value].map((each) => new TextEncoder().encode(each));
+    return this.#with(parts, (...at) =>
+      this.#text(this.#c.sf_json_edit(...at.flatMap((place, i) => [place, parts[i].length]))),
+    );
+  }
+
   /** So many of the character on the stage. */
   crowd(count) {
     return JSON.parse(this.#text(this.#c.sf_crowd(count)));

@@ -4,6 +4,7 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { load } from '../../bindings/wasm/surefoot.mjs';
 
 const [moduleFile, twinFile] = process.argv.slice(2);
@@ -175,6 +176,80 @@ test('gaits have all that surefoot.d.mts declares, can be saved, and a bad text 
   surefoot.patrol(1);
   surefoot.advance(120);
   assert.deepEqual(surefoot.array('frame').slice(), after);
+});
+
+const graphFile = fileURLToPath(new URL('../../apps/studio/src/graphs/stroll.json', import.meta.url));
+const graphText = readFileSync(graphFile, 'utf8');
+
+test('a graph has the same bits as natively, frame by frame, and says the same of itself', () => {
+  const native = execFileSync(twinFile, ['graph', graphFile], { maxBuffer: 1 << 28 });
+  surefoot.openDefault();
+  const facts = surefoot.graphRead(graphText);
+  let at = 0;
+  const play = (frames) => {
+    for (let f = 0; f < frames; ++f) {
+      surefoot.advance(1);
+      const frame = surefoot.array('frame');
+      const bytes = Buffer.from(frame.buffer, frame.byteOffset, frame.byteLength);
+      assert.ok(bytes.equals(native.subarray(at, at + bytes.length)), `the frame at byte ${at}`);
+      at += bytes.length;
+    }
+  };
+  play(100);
+  surefoot.graphSet(3, 1);
+  play(100);
+  surefoot.graphSet(0, 0);
+  play(60);
+  const [described, live] = native.subarray(at).toString().split('\n').map((line) => line && JSON.parse(line));
+  assert.deepEqual(facts, described);
+  assert.deepEqual(surefoot.graphLive(), live);
+  assert.ok(live.events.length > 5 && live.events.every(({ event }) => facts.events[event].endsWith('_strike')));
+});
+
+test('graphs have all that surefoot.d.mts declares, go on where they were after an edit, and a bad one changes nothing', () => {
+  surefoot.openDefault();
+  assert.throws(() => surefoot.graphLive(), /no graph yet/);
+  const facts = surefoot.graphRead(graphText);
+  surefoot.advance(90);
+  const live = surefoot.graphLive();
+  const [machine] = facts.machines;
+  const names = {
+    GraphFacts: facts, GraphLive: live, GraphParameter: facts.parameters[0], GraphNode: facts.nodes[0], GraphMachine: machine,
+    GraphTransition: machine.transitions[0],
+  };
+  for (const [name, value] of Object.entries(names)) assert.deepEqual(Object.keys(value).sort(), keys(name), name);
+  const state = () => machine.states[surefoot.graphLive().machines[0].state].name;
+  assert.equal(state(), 'moving');
+  assert.ok(Math.abs(live.weights.at(-1) - 1) < 1e-6, 'the root has all the weight');
+  // A longer transition: the file differs in its number alone, and the character goes on.
+  const { pointer } = machine.transitions.find((each) => each.name === 'pump_up');
+  const edited = surefoot.jsonEdit(graphText, pointer + '/seconds', '2');
+  assert.equal(edited, graphText.replace('"seconds": 0.6', '"seconds": 2'));
+  const before = surefoot.array('frame').slice(0, 4);
+  surefoot.graphRead(edited);
+  assert.deepEqual(surefoot.array('frame').slice(0, 4), before);
+  surefoot.graphSet(3, 1);
+  surefoot.advance(60);
+  const half = surefoot.graphLive();
+  assert.equal(machine.transitions[half.machines[0].transition].name, 'pump_up');
+  assert.ok(Math.abs(half.weights[machine.states[2].node] - 0.5) < 0.05, `${half.weights}`);
+  // Errors name the place.
+  assert.throws(() => surefoot.graphRead(graphText.replace('"to": "moving"', '"to": "flying"')), /set_off[^]*flying/);
+  assert.throws(() => surefoot.graphRead('{'), /no JSON/);
+  assert.throws(() => surefoot.jsonEdit(graphText, '/nowhere/x', '1'), /nothing of that name/);
+  surefoot.advance(60);
+  assert.equal(state(), 'pumping');
+  // Another shape begins anew, and who stops goes by its own clips.
+  surefoot.graphRead(graphText.replace('"initial": "standing"', '"initial": "pumping"').replace('"kind": "inertialize",', ''));
+  surefoot.gaitStop();
+  surefoot.setCourse('flat', 15);
+  surefoot.graphSet(0, 1);
+  surefoot.advance(10);
+  surefoot.gaitRead(surefoot.gaitSource('bhatti2017'));
+  surefoot.graphRead(graphText);
+  surefoot.advance(10);
+  surefoot.openDefault();
+  surefoot.advance(10);
 });
 
 test('a crowd has the same bits as natively, frame by frame, also where poses last', () => {

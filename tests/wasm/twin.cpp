@@ -3,12 +3,14 @@
 
 #include <bindings/wasm/crowd_stage.h>
 #include <bindings/wasm/gait_desk.h>
+#include <bindings/wasm/graph_desk.h>
 #include <bindings/wasm/scenario.h>
 #include <bindings/wasm/space_desk.h>
 #include <bindings/wasm/stage.h>
 
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/analysis/facts_json.h>
+#include <surefoot/host/files.h>
 #include <surefoot/io/bvh.h>
 
 #include <nlohmann/json.hpp>
@@ -79,7 +81,28 @@ void write_crowd() {
     }
 }
 
-// wasm_twin scenarios | bvh | facts (the facts of the clip that `bvh` prints) | stage | spaces | gait | crowd
+/// The frames of a graph as bytes, as tests/studio and smoke_test.mjs play it, then what it says of itself.
+void write_graph(const char* file) {
+    surefoot::wasm::Stage stage(surefoot::wasm::open_default().character);
+    surefoot::wasm::GraphDesk desk(stage.character());
+    desk.read(surefoot::read_file(file));
+    stage.play(desk.walker(), [&desk] { return desk.asked(); });
+    const auto play = [&](int frames) {
+        for (int f = 0; f < frames; ++f) {
+            stage.advance(1);
+            std::fwrite(stage.frame().data(), 1, stage.frame().size_bytes(), stdout);
+        }
+    };
+    play(100);
+    desk.set(3, 1);
+    play(100);
+    desk.set(0, 0);
+    play(60);
+    std::printf("%s\n%s\n", desk.describe().c_str(), desk.live().c_str());
+}
+
+// wasm_twin scenarios | bvh | facts (the facts of the clip that `bvh` prints) | stage | spaces | gait | crowd | graph
+// FILE
 int main(int argc, char** argv) {
     const char* what = argc > 1 ? argv[1] : "scenarios";
     if (std::strcmp(what, "scenarios") == 0) {
@@ -92,6 +115,10 @@ int main(int argc, char** argv) {
     }
     if (std::strcmp(what, "gait") == 0) {
         write_gait();
+        return 0;
+    }
+    if (std::strcmp(what, "graph") == 0 && argc > 2) {
+        write_graph(argv[2]);
         return 0;
     }
     if (std::strcmp(what, "crowd") == 0) {
