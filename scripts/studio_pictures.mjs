@@ -19,6 +19,7 @@ const pictures = [
   { name: 'studio_gait', viewport: desktop, colorScheme: 'light', settings: { workspace: 'gait', camera: 'side' } },
   { name: 'studio_gait_dark', viewport: desktop, colorScheme: 'dark', settings: { workspace: 'gait', camera: 'side' } },
   { name: 'studio_gait_phone', viewport: phone, colorScheme: 'light', settings: { workspace: 'gait', camera: 'side' } },
+  { name: 'studio_graph', viewport: desktop, colorScheme: 'light', settings: { workspace: 'graph', camera: 'side' } },
   { name: 'studio_crowd', viewport: desktop, colorScheme: 'light', settings: { workspace: 'crowd' } },
   { name: 'studio_crowd_dark', viewport: desktop, colorScheme: 'dark', settings: { workspace: 'crowd', crowd: 2000, 'crowd.view': 'among' } },
   { name: 'studio_phone', viewport: phone, colorScheme: 'light', settings: { course: 'rubble' } },

@@ -9,6 +9,7 @@ import { createHash } from 'node:crypto';
 import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync, mkdirSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { findBrowser, serveStatic, untilItMoves } from './browser.mjs';
 
@@ -543,6 +544,122 @@ await test('crowd: from one to ten thousand, animation told apart from drawing, 
   await page.getByRole('tab', { name: 'Terrain' }).click();
   const { time } = await state(page);
   await untilState(page, 'time', '>', time + 0.3);
+  assert.deepEqual(complaints, []);
+});
+
+const graphFile = fileURLToPath(new URL('../../apps/studio/src/graphs/stroll.json', import.meta.url));
+
+await test('graph: the same bits as natively, frame by frame', async () => {
+  const native = execFileSync(twin, ['graph', graphFile], { maxBuffer: 1 << 28 });
+  const { page, complaints } = await openPage(site.url, { context: { viewport: { width: 400, height: 300 } } });
+  const { hash, bytes } = await page.evaluate(async (text) => {
+    const { session, engine } = globalThis.studio;
+    session.playing.value = false;
+    while (engine.busy) await new Promise((resolve) => setTimeout(resolve, 5));
+    await engine.call('graphRead', text);
+    const frames = [];
+    const play = async (count) => {
+      for (let f = 0; f < count; ++f) frames.push((await engine.advance(1, 1, { patrol: 1 })).slice());
+    };
+    // As tests/wasm/twin.cpp plays it.
+    await play(100);
+    await engine.call('graphSet', 3, 1);
+    await play(100);
+    await engine.call('graphSet', 0, 0);
+    await play(60);
+    const all = await new Blob(frames).arrayBuffer();
+    const hash = [...new Uint8Array(await crypto.subtle.digest('SHA-256', all))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+    return { hash, bytes: all.byteLength };
+  }, readFileSync(graphFile, 'utf8'));
+  assert.equal(hash, createHash('sha256').update(native.subarray(0, bytes)).digest('hex'));
+  assert.deepEqual(complaints, []);
+});
+
+await test('graph: states, triggers and transitions are seen to run, and every edit changes its value alone', async () => {
+  const original = readFileSync(graphFile, 'utf8');
+  const { page, complaints } = await openPage(site.url, { settings: { workspace: 'graph' } });
+  const untilPlays = (state) =>
+    page.waitForFunction(
+      (state) => {
+        const { graph } = globalThis.studio, machine = graph.graph.value?.machines[0];
+        return machine && machine.states[graph.live.value?.machines[0].state]?.name === state;
+      },
+      state,
+      { timeout: 60000 },
+    );
+  const text = () => page.evaluate(() => globalThis.studio.graph.text() ?? '');
+  const untilText = (wanted) => page.waitForFunction((wanted) => globalThis.studio.graph.text() === wanted, wanted, { timeout: 30000 });
+  await untilPlays('moving');
+  const map = page.getByRole('group', { name: 'State machine /nodes/hero' });
+  assert.equal(await map.locator('.state').count(), 3);
+  await page.waitForFunction(() => document.querySelector('.state.on .share')?.textContent === '100 %');
+  assert.match(await map.locator('.state.on').textContent(), /moving/);
+  await page.waitForFunction(() => globalThis.studio.graph.past.events.some((each) => each.name === 'left_strike'));
+  // A transition is chosen by keyboard and made longer; then it is seen to run.
+  const arrow = page.getByRole('button', { name: /^Transition pump_up/ });
+  await arrow.focus();
+  await page.keyboard.press('Enter');
+  await page.getByLabel('Takes').press('End');
+  await untilText(original.replace('"seconds": 0.6', '"seconds": 3'));
+  const before = await state(page);
+  assert.ok(before.time > 0.5, 'an edit does not begin anew');
+  await page.getByRole('button', { name: 'pump', exact: true }).click();
+  await page.getByRole('button', { name: /^Transition pump_up.*running/ }).waitFor();
+  await page.locator('.transition.runs circle').waitFor();
+  await untilPlays('pumping');
+  // Curves, one that is there and one that is not yet; undone and done again.
+  await page.getByLabel('Curve').selectOption('linear');
+  await untilText(original.replace('"seconds": 0.6', '"seconds": 3').replace('cubic_in_out', 'linear'));
+  await page.getByLabel('Shown').selectOption({ label: 'set off' });
+  await page.getByLabel('Curve').selectOption('cubic_out');
+  const last = original.replace('"seconds": 0.6', '"seconds": 3').replace('"cubic_in_out"', '"linear"')
+    .replace('[{"parameter": "speed", ">": 0.15}]', '[{"parameter": "speed", ">": 0.15}], "curve": "cubic_out"');
+  await untilText(last);
+  const changed = original.split('\n').filter((line, i) => line !== last.split('\n')[i]).length;
+  assert.equal(changed, 3, 'three lines for three edits');
+  for (let i = 0; i < 3; ++i) await page.getByRole('button', { name: 'Undo' }).click();
+  await untilText(original);
+  await page.locator('.panel h2').first().click();
+  for (let i = 0; i < 3; ++i) await page.keyboard.press('Control+Shift+Z');
+  await untilText(last);
+  // What cannot be is said and not taken.
+  await page.getByText('In the file').first().click();
+  const low = page.getByLabel('low', { exact: true }).first();
+  await low.fill('9');
+  await low.press('Enter');
+  await page.locator('#graph-complaint.bad').getByText('/parameters/speed').waitFor();
+  assert.equal(await text(), last);
+  const initial = page.getByLabel('initial', { exact: true }).first();
+  await initial.fill('1.2');
+  await initial.press('Enter');
+  const final = last.replace('"initial": 1.4', '"initial": 1.2');
+  await untilText(final);
+  assert.equal(await page.locator('#graph-complaint.bad').count(), 0);
+  // Parameters steer it.
+  await page.getByRole('slider', { name: 'speed' }).press('Home');
+  await untilPlays('standing');
+  await page.reload();
+  await untilItMoves(page);
+  await untilText(final);
+  await untilPlays('moving');
+  // The saved file is what is here, and the program walks by it.
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save' }).click();
+  const saved = readFileSync(await (await download).path(), 'utf8');
+  assert.equal(saved, final);
+  const project = path.join(scratch, 'graph');
+  execFileSync(program, ['author', '--synthetic', '-o', project], { stdio: 'ignore' });
+  writeFileSync(path.join(project, 'stroll.json'), saved);
+  execFileSync(program, ['walk', path.join(project, 'stroll.json'), '--seconds', '1', '-o', path.join(project, 'walk.glb')], { stdio: 'ignore' });
+  // Another file, a broken one, and away.
+  const file = page.locator('input[aria-label="Graph file"]');
+  await file.setInputFiles({ name: 'broken.json', mimeType: 'application/json', buffer: Buffer.from('{"surefoot_graph": 1,') });
+  await page.locator('#graph-complaint.bad').getByText('no JSON').waitFor();
+  await file.setInputFiles({ name: 'other.json', mimeType: 'application/json', buffer: Buffer.from(original.replace('"initial": "standing"', '"initial": "pumping"')) });
+  await untilText(original.replace('"initial": "standing"', '"initial": "pumping"'));
+  await page.getByRole('tab', { name: 'Terrain' }).click();
+  await page.waitForFunction(() => globalThis.studio.session.shownCourse() === 'hills');
+  await untilState(page, 'speed', '>', 1.2);
   assert.deepEqual(complaints, []);
 });
 

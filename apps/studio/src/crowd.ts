@@ -25,9 +25,8 @@ export async function makeCrowd(anew = true): Promise<void> {
   making = true;
   try {
     while (made !== crowdCount.value) {
-      const wanted = crowdCount.value;
-      const next = await engine.call('crowd', wanted);
-      made = wanted;
+      made = crowdCount.value; // before it is there: whoever wants it anew meanwhile is heard
+      const next = await engine.call('crowd', made);
       clock = 0;
       texels = new Float32Array(0);
       batch(() => (crowd.value = next));

@@ -4,15 +4,17 @@ import { effect, signal, untracked } from '@preact/signals';
 import './style.css';
 import * as session from './session';
 import * as crowd from './crowd';
+import * as graph from './graph';
 import { listen } from './input';
 import { openDropped, openFirst, openFolder } from './project';
-import { course, gradeDeg, theme, workspace, type Theme, type Workspace } from './settings';
+import { course, gradeDeg, graphText, theme, workspace, type Theme, type Workspace } from './settings';
 import { isDark } from './view/theme';
 import { ProblemCard } from './ui/problem';
 import { Timeline } from './ui/timeline';
 import { Viewport } from './ui/viewport';
 import { CrowdPanel, CrowdViewport } from './workspaces/crowd';
 import { GaitDesk, gaitKeys, GaitPanel, loadGait } from './workspaces/gait';
+import { GraphDesk, GraphPanel } from './workspaces/graph';
 import { loadSpaces, SpaceMap, SpacePanel } from './workspaces/space';
 import { TerrainPanel } from './workspaces/terrain';
 
@@ -50,9 +52,10 @@ const k_workspaces: { value: Workspace; label: string }[] = [
   { value: 'gait', label: 'Gait' },
   { value: 'space', label: 'Blend space' },
   { value: 'terrain', label: 'Terrain' },
+  { value: 'graph', label: 'Graph' },
   { value: 'crowd', label: 'Crowd' },
 ];
-const k_panels: Record<Workspace, () => preact.JSX.Element> = { gait: GaitPanel, space: SpacePanel, terrain: TerrainPanel, crowd: CrowdPanel };
+const k_panels: Record<Workspace, () => preact.JSX.Element> = { gait: GaitPanel, space: SpacePanel, terrain: TerrainPanel, graph: GraphPanel, crowd: CrowdPanel };
 
 /** Arrow keys go from tab to tab, as everywhere. */
 function moveTab(event: KeyboardEvent): void {
@@ -111,6 +114,7 @@ function Studio() {
       <main>
         {workspace.value === 'space' && <SpaceMap />}
         {workspace.value === 'gait' && <GaitDesk />}
+        {workspace.value === 'graph' && <GraphDesk />}
         {workspace.value === 'crowd' ? <CrowdViewport /> : <Viewport />}
       </main>
       <div class="panel" id="panel" role="tabpanel" aria-labelledby={`tab-${workspace.value}`} hidden={!panelOpen.value}>
@@ -130,9 +134,14 @@ effect(() => {
   const where = workspace.value, known = session.facts.value;
   if (!known) return;
   untracked(() => {
-    session.present(where === 'crowd' ? crowd.crowdShow : null);
+    session.present(where === 'crowd' ? crowd.crowdShow : where === 'graph' ? graph.graphShow : null);
     if (where === 'crowd') {
       void crowd.makeCrowd();
+      return;
+    }
+    if (where === 'graph') {
+      session.hold(null);
+      void graph.loadGraph();
       return;
     }
     if (where === 'gait') {
@@ -151,7 +160,10 @@ effect(() => {
   });
 });
 listen();
-addEventListener('keydown', (event) => session.showsGait() && gaitKeys(event));
+addEventListener('keydown', (event) => {
+  if (session.showsGait()) gaitKeys(event);
+  if (session.showsGraph()) graph.graphKeys(event);
+});
 const app = document.getElementById('app')!;
 app.textContent = '';
 render(<Studio />, app);
@@ -169,5 +181,6 @@ Object.assign(globalThis, {
     session,
     engine: session.engine,
     crowd: () => ({ facts: crowd.crowd.value?.facts, posed: crowd.posed.value, costs: crowd.costs, texels: crowd.texels.length }),
+    graph: { ...graph, text: () => graphText.value ?? graph.k_first_graph },
   },
 });

@@ -102,6 +102,7 @@ export async function showCourse(name: string, grade: number): Promise<boolean> 
 }
 
 export const showsGait = () => workspace.value === 'gait';
+export const showsGraph = () => workspace.value === 'graph';
 export const showsCrowd = () => workspace.value === 'crowd';
 
 /** The engine has gone to another ground by itself: that of a gait. */
@@ -131,12 +132,12 @@ export interface Show {
   seconds: () => number;
 }
 
-const ownShow: Show = {
+export const ownShow: Show = {
   async restart() {
     await engine.call('restart');
     history.clear();
     figures.value = null;
-    await this.step(0, 1);
+    await ownShow.step(0, 1);
   },
   async step(frames, parts) {
     while (engine.busy) await new Promise((resolve) => setTimeout(resolve, 1));

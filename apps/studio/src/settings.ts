@@ -30,11 +30,11 @@ const isNumberIn = (low: number, high: number) => (value: unknown) =>
   typeof value === 'number' && value >= low && value <= high;
 
 export type Theme = 'system' | 'light' | 'dark';
-export type Workspace = 'terrain' | 'space' | 'gait' | 'crowd';
+export type Workspace = 'terrain' | 'space' | 'gait' | 'graph' | 'crowd';
 export type CameraView = 'follow' | 'side' | 'front' | 'feet';
 export const k_rates = [1, 2, 4, 10] as const;
 
-export const workspace = kept<Workspace>('workspace', 'terrain', isOneOf('terrain', 'space', 'gait', 'crowd'));
+export const workspace = kept<Workspace>('workspace', 'terrain', isOneOf('terrain', 'space', 'gait', 'graph', 'crowd'));
 export const theme = kept<Theme>('theme', 'system', isOneOf('system', 'light', 'dark'));
 export const course = kept<string>('course', 'hills', (value) => typeof value === 'string');
 export const gradeDeg = kept<number>('grade', 15, isNumberIn(0, 45));
@@ -75,3 +75,6 @@ const isGaitWork = (value: unknown) => {
     Number.isFinite(work.speed) && Number.isFinite(work.turn));
 };
 export const gaitWork = kept<GaitWork | null>('gait', null, isGaitWork);
+
+/** The graph that was worked on, as text; null: the first one. */
+export const graphText = kept<string | null>('graph', null, (value) => value === null || typeof value === 'string');

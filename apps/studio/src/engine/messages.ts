@@ -2,8 +2,8 @@
 import type { CharacterFacts, CrowdFacts, Surefoot } from '@bindings/surefoot.mjs';
 
 export type {
-  CharacterFacts, CrowdFacts, Figure, FigureValue, Finding, FootMode, FrameLayout, GaitFacts, GaitParameter, GaitPlayed, SpaceFacts,
-  SpacesFacts,
+  CharacterFacts, CrowdFacts, Figure, FigureValue, Finding, FootMode, FrameLayout, GaitFacts, GaitParameter, GaitPlayed, GraphFacts,
+  GraphLive, GraphMachine, GraphParameter, GraphTransition, SpaceFacts, SpacesFacts,
 } from '@bindings/surefoot.mjs';
 
 /** Who steers: a patrol up and down the course, or somebody. m/s and deg/s, to the left positive. */
@@ -41,7 +41,8 @@ export interface TerrainMesh {
 type Forwarded =
   | 'setMode' | 'restart' | 'metrics' | 'scenarios'
   | 'spaces' | 'setThreshold' | 'resetThresholds' | 'blend'
-  | 'gaits' | 'gaitSource' | 'gaitRead' | 'gaitPlay' | 'gaitStop' | 'gaitFile';
+  | 'gaits' | 'gaitSource' | 'gaitRead' | 'gaitPlay' | 'gaitStop' | 'gaitFile'
+  | 'graphRead' | 'graphSet' | 'graphLive' | 'jsonEdit';
 
 /** Calls that are answered once, by name. */
 export interface Calls extends Pick<Surefoot, Forwarded> {

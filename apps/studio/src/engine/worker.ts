@@ -65,6 +65,10 @@ const calls: { [Name in keyof Calls]: (...args: Parameters<Calls[Name]>) => Retu
   gaitPlay: (values, speed, turn) => running().gaitPlay(values, speed, turn),
   gaitStop: () => running().gaitStop(),
   gaitFile: (format) => running().gaitFile(format),
+  graphRead: (text) => running().graphRead(text),
+  graphSet: (parameter, value) => running().graphSet(parameter, value),
+  graphLive: () => running().graphLive(),
+  jsonEdit: (text, pointer, value) => running().jsonEdit(text, pointer, value),
   ground,
   crowd: (count) => ({ facts: running().crowd(count), mesh: crowdMesh() }),
 };

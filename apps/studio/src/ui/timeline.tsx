@@ -1,9 +1,10 @@
 // The one timeline: play, step, slow motion, and what just happened.
-import { frameCount, playing, restart, shownSeconds, showsCrowd } from '../session';
+import { frameCount, playing, restart, shownSeconds, showsCrowd, showsGraph } from '../session';
 import { singleStep } from '../input';
 import { k_rates, slowness } from '../settings';
 import { Segmented } from './controls';
 import { CostStrip } from './cost_strip';
+import { GraphStrip } from './graph_strip';
 import { Strip } from './strip';
 
 const k_rate_names: Record<number, string> = { 1: '1×', 2: '½×', 4: '¼×', 10: '⅒×' };
@@ -42,7 +43,7 @@ export function Timeline() {
         />
         <Clock />
       </div>
-      {showsCrowd() ? <CostStrip /> : <Strip />}
+      {showsCrowd() ? <CostStrip /> : showsGraph() ? <GraphStrip /> : <Strip />}
     </footer>
   );
 }

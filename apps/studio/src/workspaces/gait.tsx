@@ -2,6 +2,7 @@
 import { batch, effect, signal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { engine, fail, frame, frameCount, facts as character, showNewGround, showsGait } from '../session';
+import { download } from '../download';
 import type { GaitFacts, GaitParameter, GaitPlayed } from '../engine/messages';
 import { gaitWork, type GaitWork } from '../settings';
 import { Choose, Section, Slider } from '../ui/controls';
@@ -116,14 +117,6 @@ async function save(format: 'bvh' | 'glb'): Promise<void> {
   } catch (error) {
     fail('The gait could not be saved', error);
   }
-}
-
-function download(name: string, content: BlobPart): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([content]));
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
 const stepOf = ({ low, high }: GaitParameter) => 10 ** Math.floor(Math.log10(Math.max(high - low, 1e-6) / 100));
