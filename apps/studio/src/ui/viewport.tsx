@@ -26,7 +26,7 @@ function run(canvas: HTMLCanvasElement): () => void {
     }),
     effect(() => picture.look(cameraView.value)),
   ];
-  let last = performance.now(), asked = 0;
+  let last = performance.now(), asked = 0, tired = false;
   const draw = (now: number) => {
     const seconds = Math.max((now - last) / 1000, 0);
     last = now;
@@ -38,7 +38,8 @@ function run(canvas: HTMLCanvasElement): () => void {
       footholds: overlays.footholds.value,
     };
     // First the picture of the frame that is here; the next one is made meanwhile.
-    if (picture.draw(frame, Math.min(seconds, 0.25), shown)) fit();
+    if (tired) fit(); // which empties the canvas: right before it is drawn
+    tired = picture.draw(frame, Math.min(seconds, 0.25), shown);
     tick(seconds);
     asked = requestAnimationFrame(draw);
   };

@@ -29,11 +29,12 @@ function run(canvas: HTMLCanvasElement): () => void {
     }),
     effect(() => own.look(crowdView.value)),
   ];
-  let last = performance.now(), asked = 0;
+  let last = performance.now(), asked = 0, tired = false;
   const draw = (now: number) => {
     const seconds = Math.max((now - last) / 1000, 0);
     last = now;
-    if (own.draw(texels, seconds)) fit();
+    if (tired) fit(); // which empties the canvas: right before it is drawn
+    tired = own.draw(texels, seconds);
     lookFrom(own.eye);
     tickCrowd(seconds, own.renderingMs);
     asked = requestAnimationFrame(draw);
