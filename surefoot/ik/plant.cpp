@@ -15,8 +15,9 @@ constexpr float k_toe_weight = 0.35f;     // missing support under the toe tip c
 constexpr float k_protrusion = 3;         // ground that stands into the sole counts more than ground missing below
 constexpr float k_toe_protrusion = 0.6f;  // but less under the toes, which bend
 constexpr float k_worst_gap = 10, k_worst_wall = 10;
-constexpr float k_bearing_weight = 0.15f;  // of heel, ball and toe tip themselves: no edge may lie between them
-constexpr float k_wall_weight = 0.05f;     // of ground just ahead of the toe or behind the heel
+constexpr float k_bearing_weight = 0.6f;  // of heel, ball and toe tip themselves: no edge may lie between them,
+constexpr float k_bearing_side = 0.8f;    // nor within this share of the half width beside heel and ball
+constexpr float k_wall_weight = 0.05f;    // of ground just ahead of the toe or behind the heel
 // A foot comes down no more steeply than this: what stands higher behind its heel is in its way.
 constexpr float k_descent = 1.8f, k_descent_weight = 0.02f;
 constexpr std::array k_behind{0.10f, 0.14f};  // [m] behind the heel
@@ -62,7 +63,7 @@ Fit fit_plane(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundProb
 float unevenness(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundProbe& probe, const Fit& fit) noexcept {
     const float cosine = 1 / std::sqrt(1 + fit.rise_along * fit.rise_along);
     const float back = -k_overhang * foot.half_length, front = foot.tip;
-    std::array<Vec3, k_columns * k_rows + 7 + k_behind.size()> places;
+    std::array<Vec3, k_columns * k_rows + 11 + k_behind.size()> places;
     std::array<float, places.size()> heights, plane;
     const auto put = [&](std::size_t i, float u, float v) {
         places[i] = centre + foot.forward * u + lateral * v;
@@ -84,7 +85,10 @@ float unevenness(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundP
     put(bearing, -foot.half_length * cosine, 0);
     put(bearing + 1, foot.half_length * cosine, 0);
     put(bearing + 2, foot.tip * cosine, 0);
-    constexpr std::size_t behind = bearing + 3;
+    for (std::size_t i = 0; i < 4; ++i)
+        put(bearing + 3 + i, (i < 2 ? -1 : 1) * foot.half_length * cosine,
+            (i % 2 == 0 ? -k_bearing_side : k_bearing_side) * foot.half_width);
+    constexpr std::size_t behind = bearing + 7;
     for (std::size_t i = 0; i < k_behind.size(); ++i) put(behind + i, -(foot.half_length + k_behind[i]) * cosine, 0);
     probe.heights(places, heights);
 
@@ -214,6 +218,9 @@ Plant find_foothold(const Footprint& foot, const GroundProbe& probe, float along
             const float middle = u;
             consider(middle - step, v);
             consider(middle + step, v);
+            const float aside = v, sideways = step * across / along * coarse / sides;
+            consider(u, std::max(aside - sideways, -across));
+            consider(u, std::min(aside + sideways, across));
         }
     }
     Plant plant;

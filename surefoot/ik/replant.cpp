@@ -8,6 +8,7 @@ namespace surefoot {
 namespace {
 
 constexpr float k_dragged_speed = 0.005f;  // [m/s] at a foot: less is left alone
+constexpr float k_stirs = 0.2f;            // [m/s] of a foot that was to rest: steering has changed
 constexpr float k_rigid = 0.1f;            // of the root's way at a foot, that the foot's may differ from it
 constexpr float k_foreseen = 0.2f;         // of the limits below: a drag that goes on, not the last of a stop
 constexpr float k_most_drift = 0.15f;      // of the leg's length, before a foot steps
@@ -212,7 +213,8 @@ bool feel_drag(const FootRig& rig, FootPlacementState& state, const FootInput& i
         const bool was = foot.dragged;
         foot.dragged = state.started && foot.rests && way > k_dragged_speed * input.dt &&
                        planar_length(middle - with_root) < k_rigid * way;
-        begins = begins || (foot.dragged && !was && !foot.plant.held);
+        const bool stirs = state.started && foot.rests && planar_length(middle - with_root) > k_stirs * input.dt;
+        begins = begins || stirs || (foot.dragged && !was && !foot.plant.held);
         foot.last_middle = middle;
     }
     state.last_root = input.root;

@@ -9,8 +9,8 @@
 
 namespace surefoot {
 
-/// Which standing feet the root has dragged along since the last frame; true where that begins. Remembers root and feet
-/// for the next.
+/// Which standing feet the root has dragged along since the last frame. True where the feet must be planned anew: that
+/// begins, or one stirs that was to rest, for steering has changed. Remembers root and feet for the next.
 bool feel_drag(const FootRig& rig, FootPlacementState& state, const FootInput& input) noexcept;
 
 /// Before planning: feet that are dragged, and shall be on, are held. The contact runs of held feet end where they have

@@ -2,6 +2,7 @@
 
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/bake/character.h>
+#include <surefoot/course/placed_walker.h>
 #include <surefoot/course/walk.h>
 #include <surefoot/ground/shapes.h>
 #include <surefoot/space/triangulate.h>
@@ -123,6 +124,31 @@ TEST(Path, curving_over_hills_feet_stand_as_they_do_going_straight) {
     EXPECT_LT(ours.knee_peak_ratio, 1.8);
     EXPECT_LT(ours.hip_jerk_ratio, 2);
     EXPECT_LT(ours.skate_cm_s, c.metrics[0].skate_cm_s + 0.5);
+}
+
+TEST(Path, a_foot_that_stirs_though_it_was_to_rest_is_planned_anew_in_that_frame) {
+    constexpr float k_stirs = 0.35f / k_walk_fps;  // [m] about the root, in a frame
+    for (int late = 0; late < 8; ++late) {         // against the rhythm in which plans are looked at anyway
+        const float rest = 2 + static_cast<float>(late) / k_walk_fps;
+        const auto walker = make_character_walker(character(), {}, {{false, 0, rest}, {true, 0, 2}});
+        const Plane flat;
+        PlacedWalker placed(*walker, flat);
+        placed.start(1.4f);
+        int plans = 0;
+        bool stirs = false;
+        std::vector<Transform> before;
+        for (int f = 1; f < 180 && !stirs; ++f) {
+            before.assign(placed.unplaced().begin(), placed.unplaced().end());
+            placed.advance(1 / k_walk_fps);
+            if (static_cast<float>(f) / k_walk_fps < rest) plans = placed.state().plans;
+            for (const Leg& leg : walker->legs().side) {
+                const auto foot = static_cast<std::size_t>(leg.foot);
+                stirs |= distance(placed.unplaced()[foot].translation, before[foot].translation) > k_stirs;
+            }
+        }
+        EXPECT_TRUE(stirs);
+        EXPECT_GT(placed.state().plans, plans) << late;
+    }
 }
 
 TEST(Path, feet_of_a_standing_character_that_its_host_turns_and_slides_do_not_drag) {

@@ -50,6 +50,38 @@ TEST(Foothold, an_edge_is_stepped_away_from) {
     EXPECT_GT(rotate(plant.tilt, k_up).y, 0.99f);  // and stands level
 }
 
+TEST(Foothold, on_tiles_of_all_heights_soles_lie_on_what_is_under_heel_and_ball_and_beside_them) {
+    const Tiles rubble(0.3f, 0.08f, -100, 1);
+    const GroundProbe probe = probe_of(rubble);
+    double sum = 0;
+    int feet = 0, crooked = 0;
+    for (int i = 0; i < 20; ++i)
+        for (int j = 0; j < 20; ++j) {
+            const Vec3 middle{0.23f * static_cast<float>(i), 0, 0.29f * static_cast<float>(j)};
+            const Vec3 forward = rotate(from_yaw(0.37f * static_cast<float>(i - j)), {0, 0, 1});
+            const Vec3 side{forward.z, 0, -forward.x}, heel = middle - forward * 0.1f, ball = middle + forward * 0.09f;
+            const Footprint foot = make_footprint(heel, ball, middle + forward * 0.15f, 0.85f);
+            const Plant plant = find_foothold(foot, probe, 0.16f, 0.06f);
+            const auto height = [&](float along, float across) {
+                const Vec3 p = plant.foothold + forward * (along * foot.half_length) + side * across;
+                return probe.height(p.x, p.z);
+            };
+            constexpr float k_beside = 0.03f;  // [m]
+            const float rise = (height(1, 0) - height(-1, 0)) / (2 * foot.half_length);
+            const float roll =
+                (height(1, k_beside) - height(1, -k_beside) + height(-1, k_beside) - height(-1, -k_beside)) /
+                (4 * k_beside);
+            const Vec3 normal = normalized(cross(forward + k_up * rise, side + k_up * roll));
+            const double off = std::asin(std::min(1.0f, length(cross(normal, rotate(plant.tilt, k_up))))) * 57.3;
+            sum += off;
+            crooked += off > 6;
+            ++feet;
+        }
+    // Without the sides: 0.34, and 5.
+    EXPECT_LT(sum / feet, 0.25);
+    EXPECT_LE(crooked, 3);
+}
+
 TEST(Foothold, below_a_high_edge_there_is_room_behind_the_heel_to_come_down_in) {
     constexpr float k_edge = 3;
     const auto behind = [&](float drop, float heel) {
