@@ -36,11 +36,12 @@ class CharacterWalker final : public Walker {
         now_ = {};
         requested_ = {};
         now_.request = wanted();
+        plays_ = Going(now_).go(character_.graph, wanted(), steering_, 0);
         foresight_.begin(now_);
     }
     void advance(float dt) noexcept override {
         steering_.advance(dt);
-        now_.go(character_.graph, wanted(), steering_, dt);
+        plays_ = now_.go(character_.graph, wanted(), steering_, dt);
         const LocomotionRequest& asked = now_.request;
         requested_ = requested_ * integrate({asked.lateral, 0, asked.speed}, asked.turn * k_radians_per_degree, dt) *
                      steering_.host_way(dt);
@@ -57,6 +58,7 @@ class CharacterWalker final : public Walker {
     }
     RootFrame requested() const noexcept override { return requested_; }
     bool has_host() const noexcept override { return steering_.has_host(); }
+    std::span<const Leaf> playing() const noexcept override { return plays_.leaves(); }
     /// What comes is foreseen from what is asked for now: no later leg of the path is known.
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
         LocomotionFrame frame;
@@ -80,6 +82,7 @@ class CharacterWalker final : public Walker {
     LocomotionRequest asked_;
     Steering steering_;
     Going now_;
+    LocomotionFrame plays_;
     RootFrame requested_;
     mutable Foresight<Going> foresight_;
 };

@@ -49,6 +49,8 @@ class Walker {
     virtual bool has_host() const noexcept { return false; }
     /// How much of foot placement its motion asks for now, [0, 1]: nothing in jumps and falls.
     virtual float feet() const noexcept { return 1; }
+    /// The clips that it is blended from now; none where it is not of clips.
+    virtual std::span<const Leaf> playing() const noexcept { return {}; }
     /// The root in the world (y = 0) and the pose, `ahead` >= 0 seconds from now if nothing else is asked for.
     virtual void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept = 0;
 };

@@ -1,5 +1,6 @@
 #include <surefoot/base/error.h>
 #include <surefoot/host/parallel.h>
+#include <surefoot/host/progress.h>
 #include <surefoot/probe/played_figures.h>
 #include <surefoot/probe/probe.h>
 
@@ -107,8 +108,11 @@ ProbeResult probe(const Character& character, const ProbeOptions& options) {
         if (space.empty()) return;
         ProbeSpace probed = blank_space(name, space, options.grid);
         std::vector<char> covered(probed.cells.size());
-        parallel_for(covered.size(),
-                     [&](std::size_t i) { covered[i] = measure_cell(character, space, clips, probed.cells[i]); });
+        Progress progress("probing", covered.size());
+        parallel_for(covered.size(), [&](std::size_t i) {
+            covered[i] = measure_cell(character, space, clips, probed.cells[i]);
+            progress.advance();
+        });
         finish(probed, covered, character.graph.clips);
         result.spaces.push_back(std::move(probed));
     };
