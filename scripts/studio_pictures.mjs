@@ -15,7 +15,7 @@ const pictures = [
   { name: 'studio_terrain_dark', viewport: desktop, colorScheme: 'dark',
     settings: { course: 'hills', camera: 'feet', 'overlay.axes': true, 'overlay.hips': true } },
   { name: 'studio_space', viewport: desktop, colorScheme: 'light', settings: { workspace: 'space' } },
-  { name: 'studio_space_dark', viewport: desktop, colorScheme: 'dark', settings: { workspace: 'space' } },
+  { name: 'studio_space_dark', viewport: desktop, colorScheme: 'dark', settings: { workspace: 'space' }, colored: 'Foot skate' },
   { name: 'studio_gait', viewport: desktop, colorScheme: 'light', settings: { workspace: 'gait', camera: 'side' } },
   { name: 'studio_gait_dark', viewport: desktop, colorScheme: 'dark', settings: { workspace: 'gait', camera: 'side' } },
   { name: 'studio_gait_phone', viewport: phone, colorScheme: 'light', settings: { workspace: 'gait', camera: 'side' } },
@@ -30,7 +30,7 @@ if (found.missing) throw new Error(found.missing);
 mkdirSync(out, { recursive: true });
 const site = await serveStatic(app);
 const browser = await found.launch();
-for (const { name, viewport, colorScheme, settings } of pictures) {
+for (const { name, viewport, colorScheme, settings, colored } of pictures) {
   const context = await browser.newContext({ viewport, colorScheme });
   const page = await context.newPage();
   await page.addInitScript((kept) => {
@@ -38,6 +38,11 @@ for (const { name, viewport, colorScheme, settings } of pictures) {
   }, settings);
   await page.goto(site.url);
   await untilItMoves(page);
+  if (settings.workspace === 'space') await page.waitForFunction(() => globalThis.studio.bench.project.value && !globalThis.studio.bench.busy.value);
+  if (colored) {
+    await page.getByLabel('Colour by').selectOption(colored);
+    await page.waitForFunction(() => globalThis.studio.bench.shownHeat.value !== '', null, { timeout: 60000 });
+  }
   // Paused, then stepped by hand: the same moment every time, however slow the machine.
   await page.evaluate(async () => {
     const { session, engine } = globalThis.studio;

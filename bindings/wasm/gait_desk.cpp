@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace surefoot::wasm {
@@ -45,12 +47,8 @@ GaitDesk::GaitDesk(const Character& character)
 
 void GaitDesk::read(std::string_view text) {
     Gait gait = read_gait(text, "line", GaitOutputs::everything);
-    std::vector<double> values = gait_values(gait, "", {});
-    AnalyzedClip clip = play_gait(gait, values, actor_);
+    take(gait_values(gait, "", {}), {}, gait);
     gait_ = std::move(gait);
-    values_ = std::move(values);
-    clip_ = std::move(clip);
-    asked_ = {};
 }
 
 void GaitDesk::play(std::span<const double> values, double speed_mps, double turn_deg_s) {
@@ -62,8 +60,29 @@ void GaitDesk::play(std::span<const double> values, double speed_mps, double tur
     GaitPlay asked;
     asked.speed_mps = speed_mps;
     asked.turn_deg_s = turn_deg_s;
-    clip_ = play_gait(gait_, wanted, actor_, asked);
-    values_ = std::move(wanted);
+    take(std::move(wanted), asked, gait_);
+}
+
+/// All of it, or, where that throws, nothing.
+void GaitDesk::take(std::vector<double> values, const GaitPlay& asked, const Gait& gait) {
+    GaitMoments moments;
+    moments.speed_mps = asked.speed_mps;
+    moments.turn_deg_s = asked.turn_deg_s;
+    moments.steps = k_curve_points - 1;
+    const GaitTable table = sample_gait(gait, values, moments);
+    const std::size_t outputs = gait.outputs.size();
+    std::vector<float> curves;
+    for (std::size_t output = 0; output < outputs; ++output) {
+        if (!gait.outputs[output].control) continue;
+        for (std::size_t row = 0; row < table.times_s.size(); ++row) {
+            const double value = table.values[row * outputs + output];
+            curves.push_back(std::isfinite(value) ? static_cast<float>(value)
+                                                  : std::numeric_limits<float>::quiet_NaN());
+        }
+    }
+    motion_ = gait_motion(gait, values, actor_, asked);
+    curves_ = std::move(curves);
+    values_ = std::move(values);
     asked_ = asked;
 }
 
@@ -81,26 +100,20 @@ std::string GaitDesk::describe() const {
 }
 
 std::string GaitDesk::played() const {
-    const ClipFacts& facts = clip_.facts;
-    GaitMoments moments;
-    moments.speed_mps = asked_.speed_mps;
-    moments.turn_deg_s = asked_.turn_deg_s;
-    const Json table = Json::parse(gait_table_json(gait_, sample_gait(gait_, values_, moments)));
-    Json out = {{"duration", facts.duration},  {"speed", facts.speed},   {"turn", facts.turn},
-                {"stride", facts.stride},      {"skate", facts.skate},   {"times", table["time_s"]},
-                {"period", table["period_s"]}, {"curves", Json::array()}};
-    for (const Json& each : table["outputs"])
-        if (each["control"])
-            out["curves"].push_back({{"name", each["name"]}, {"unit", each["unit"]}, {"values", each["values"]}});
+    const ClipFacts facts = play_gait(gait_, values_, actor_, asked_).facts;
+    Json out = {{"duration", facts.duration}, {"speed", facts.speed}, {"turn", facts.turn},
+                {"stride", facts.stride},     {"skate", facts.skate}, {"curves", Json::array()}};
+    for (const GaitOutput& output : gait_.outputs)
+        if (output.control) out["curves"].push_back({{"name", output.name}, {"unit", output.unit}});
     return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string GaitDesk::bvh() const { return write_bvh(clip_.motion); }
+std::string GaitDesk::bvh() const { return write_bvh(motion_); }
 
 std::string GaitDesk::glb() const {
     GltfScene scene;
-    scene.motions.push_back(clip_.motion);
-    scene.mesh = make_mannequin(clip_.motion, clip_.roles.roles, clip_.legs);
+    scene.motions.push_back(motion_);
+    scene.mesh = make_mannequin(motion_, actor_.roles.roles, actor_.legs);
     return write_glb(scene);
 }
 

@@ -15,6 +15,8 @@ namespace surefoot::wasm {
 /// The bundled gaits, [{"name", "help"}].
 std::string gaits_json();
 
+inline constexpr int k_curve_points = 97;  ///< the last is one period after the first
+
 class GaitDesk {
   public:
     /// Throws Error where the character has no legs that a gait could move.
@@ -28,21 +30,26 @@ class GaitDesk {
 
     /// Parameters, presets, controls and warnings: one JSON object (surefoot.d.mts: GaitFacts).
     std::string describe() const;
-    /// What the clip does, and the curves of its controls (surefoot.d.mts: GaitPlayed).
+    /// What the clip does (surefoot.d.mts: GaitPlayed): it is measured here, which takes longer than to play it.
     std::string played() const;
+    /// The curves of its controls over a cycle, one after the other, k_curve_points each; NaN where there is no value.
+    std::span<const float> curves() const noexcept { return curves_; }
 
-    const Motion& motion() const noexcept { return clip_.motion; }
+    const Motion& motion() const noexcept { return motion_; }
     const Legs& legs() const noexcept { return actor_.legs; }
     /// The clip as the bytes of a file.
     std::string bvh() const;
     std::string glb() const;
 
   private:
+    void take(std::vector<double> values, const GaitPlay& asked, const Gait& gait);
+
     GaitActor actor_;
     Gait gait_;
     std::vector<double> values_;
     GaitPlay asked_;
-    AnalyzedClip clip_;
+    Motion motion_;
+    std::vector<float> curves_;
 };
 
 }  // namespace surefoot::wasm

@@ -3,17 +3,18 @@
 // Calls that produce a text leave it where sf_text() and sf_text_size() say, until the next call. They return 0, or 1
 // where the text is an error message.
 
+#include "bench_desk.h"
 #include "crowd_stage.h"
 #include "gait_desk.h"
 #include "graph_desk.h"
 #include "scenario.h"
-#include "space_desk.h"
 #include "stage.h"
 
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/analysis/facts_json.h>
 #include <surefoot/base/error.h>
 #include <surefoot/graph_text/json_edit.h>
+#include <surefoot/host/progress.h>
 #include <surefoot/io/bvh.h>
 #include <surefoot/space/triangulate.h>
 
@@ -27,8 +28,15 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #define SUREFOOT_EXPORT(name) __attribute__((used, export_name(#name)))
+#define SUREFOOT_IMPORT(name) __attribute__((import_module("surefoot"), import_name(#name)))
+
+/// Who loads the module is told of long work, step by step.
+extern "C" SUREFOOT_IMPORT(progress) void sf_tell_progress(const char* label, std::size_t size, std::size_t done,
+                                                           std::size_t total);
 
 namespace {
 
@@ -46,9 +54,10 @@ int guarded(const Body& body) {
 }
 
 surefoot::BlendSpace g_space;
-std::map<std::string, std::string> g_files;
+surefoot::wasm::Files g_files;  // given, and not used yet
+surefoot::wasm::Files g_made;   // of sf_bench_files
 std::unique_ptr<surefoot::wasm::Stage> g_stage;
-std::unique_ptr<surefoot::wasm::SpaceDesk> g_desk;
+std::unique_ptr<surefoot::wasm::BenchDesk> g_bench;
 std::unique_ptr<surefoot::wasm::GaitDesk> g_gait;     // none before a gait is asked for
 std::unique_ptr<surefoot::wasm::CrowdStage> g_crowd;  // none before a crowd is asked for
 std::unique_ptr<surefoot::wasm::GraphDesk> g_graph;   // none before a graph is asked for
@@ -70,7 +79,8 @@ enum Array {
     k_crowd_normals,
     k_crowd_joints,
     k_crowd_weights,
-    k_crowd_triangles
+    k_crowd_triangles,
+    k_gait_curves
 };
 
 std::span<const std::byte> crowd_bytes_of(int array) {
@@ -99,6 +109,7 @@ std::span<const std::byte> crowd_bytes_of(int array) {
 
 std::span<const std::byte> bytes_of(int array) {
     using std::as_bytes, std::span;
+    if (array == k_gait_curves) return g_gait ? as_bytes(g_gait->curves()) : span<const std::byte>();
     if (!g_stage) return {};
     const surefoot::Mesh& mesh = g_stage->mesh();
     switch (array) {
@@ -125,10 +136,9 @@ std::span<const std::byte> bytes_of(int array) {
     }
 }
 
-/// Both anew, or after an error both as they were.
-std::string put_on_stage(surefoot::wasm::Opened opened) {
-    auto stage = std::make_unique<surefoot::wasm::Stage>(std::move(opened.character));
-    g_desk = std::make_unique<surefoot::wasm::SpaceDesk>(std::move(opened.project), std::move(opened.poses));
+/// Another character, or after an error the one that was there.
+std::string put_on_stage(surefoot::Character character, std::vector<std::byte> bytes = {}) {
+    auto stage = std::make_unique<surefoot::wasm::Stage>(std::move(character), std::move(bytes));
     g_gait.reset();
     g_crowd.reset();
     g_stage = std::move(stage);  // before what its guest plays goes
@@ -136,9 +146,21 @@ std::string put_on_stage(surefoot::wasm::Opened opened) {
     return g_stage->describe();
 }
 
-surefoot::wasm::SpaceDesk& desk() {
-    if (!g_desk) throw surefoot::Error("there is no character yet", "", "open one first");
-    return *g_desk;
+surefoot::wasm::Files take_files() { return std::exchange(g_files, {}); }
+
+surefoot::wasm::BenchDesk& bench() {
+    if (!g_bench) throw surefoot::Error("there is no project yet", "", "open one first");
+    return *g_bench;
+}
+
+/// Another project, or after an error the one that was there.
+template <typename Open>
+std::string put_on_bench(const Open& open) {
+    surefoot::watch_progress([](const std::string& label, std::size_t done, std::size_t total) {
+        sf_tell_progress(label.data(), label.size(), done, total);
+    });
+    g_bench = std::make_unique<surefoot::wasm::BenchDesk>(open());
+    return g_bench->describe();
 }
 
 surefoot::wasm::Stage& stage() {
@@ -208,25 +230,25 @@ SUREFOOT_EXPORT(sf_weights) int sf_weights(const float* point, std::int32_t* sam
     return found.count;
 }
 
-/// Keeps a file of a project for sf_open_project.
+/// Keeps a file for the next call that opens files; whether that succeeds or not, they are forgotten then.
 SUREFOOT_EXPORT(sf_put_file)
 void sf_put_file(const char* name, std::size_t name_size, const char* bytes, std::size_t size) {
     g_files[std::string(name, name_size)] = std::string(bytes, size);
 }
 
-/// Puts the character of the files given so far on the stage; they are forgotten. Text: what it is (Stage::describe).
-/// After an error the stage is as it was.
-SUREFOOT_EXPORT(sf_open_project) int sf_open_project() {
-    return guarded([] {
-        const std::map<std::string, std::string> files = std::move(g_files);
-        g_files.clear();
-        return put_on_stage(surefoot::wasm::open_project(files));
-    });
+/// Puts the character of the bundled gaits on the stage. Text: what it is (Stage::describe).
+SUREFOOT_EXPORT(sf_open_default) int sf_open_default() {
+    return guarded([] { return put_on_stage(surefoot::wasm::default_character()); });
 }
 
-/// The same with the character of the bundled gaits.
-SUREFOOT_EXPORT(sf_open_default) int sf_open_default() {
-    return guarded([] { return put_on_stage(surefoot::wasm::open_default()); });
+/// The same with the character of a pack. After an error the stage is as it was.
+SUREFOOT_EXPORT(sf_open_pack) int sf_open_pack(const char* bytes, std::size_t size) {
+    return guarded([&] {
+        const std::span<const std::byte> given{reinterpret_cast<const std::byte*>(bytes), size};
+        std::vector<std::byte> own(given.begin(), given.end());
+        surefoot::Character character = surefoot::wasm::packed_character(own);
+        return put_on_stage(std::move(character), std::move(own));
+    });
 }
 
 /// Another course by name, from its start; `grade_deg` is the steepness of slopes.
@@ -245,6 +267,14 @@ SUREFOOT_EXPORT(sf_mode) void sf_mode(int mode) {
 /// Somebody steers: m/s ahead and to the left, deg/s to the left.
 SUREFOOT_EXPORT(sf_steer) void sf_steer(float speed, float lateral, float turn) {
     if (g_stage) g_stage->steer(speed, lateral, turn);
+}
+
+/// As it is at a place of a space, in axis units.
+SUREFOOT_EXPORT(sf_steer_to) int sf_steer_to(const char* space, std::size_t size, const float* at, int dimensions) {
+    return guarded([&] {
+        stage().steer_to(std::string(space, size), {at, static_cast<std::size_t>(std::max(dimensions, 0))});
+        return std::string();
+    });
 }
 
 /// Nobody does: up and down the course at a speed.
@@ -267,22 +297,115 @@ SUREFOOT_EXPORT(sf_metrics) int sf_metrics() {
     return guarded([] { return stage().metrics(); });
 }
 
-/// Text: the blend spaces of who is on the stage, and what is wrong with them (SpaceDesk::describe).
-SUREFOOT_EXPORT(sf_spaces) int sf_spaces() {
-    return guarded([] { return desk().describe(); });
-}
-
-/// Another threshold, "too-close.distance=6"; without text all back to the project's own. Text: the spaces anew.
-SUREFOOT_EXPORT(sf_threshold) int sf_threshold(const char* text, std::size_t size) {
+/// Text: which clips play at a place of a space, in axis units (Stage::weights).
+SUREFOOT_EXPORT(sf_blend) int sf_blend(const char* space, std::size_t size, const float* at, int dimensions) {
     return guarded([&] {
-        desk().set_threshold(std::string(text, size));
-        return desk().describe();
+        return stage().weights(std::string(space, size), {at, static_cast<std::size_t>(std::max(dimensions, 0))});
     });
 }
 
-/// Text: which clips play at a place of a space, in axis units (SpaceDesk::weights).
-SUREFOOT_EXPORT(sf_blend) int sf_blend(int space, const float* at, int dimensions) {
-    return guarded([&] { return desk().weights(space, {at, static_cast<std::size_t>(std::max(dimensions, 0))}); });
+/// Projects on the bench. Text of each: BenchDesk::describe. After an error the bench is as it was.
+SUREFOOT_EXPORT(sf_bench_default) int sf_bench_default() {
+    return guarded([] { return put_on_bench(surefoot::wasm::BenchDesk::of_default); });
+}
+
+/// Of the files given so far: a project that `author` wrote, as it is on disk or as it was kept elsewhere.
+SUREFOOT_EXPORT(sf_bench_open) int sf_bench_open(int on_disk) {
+    return guarded([&] {
+        const surefoot::wasm::Files files = take_files();
+        return put_on_bench([&] { return surefoot::wasm::BenchDesk::of_project(files, on_disk != 0); });
+    });
+}
+
+/// Of the files given so far: clips to make a project of.
+SUREFOOT_EXPORT(sf_bench_author) int sf_bench_author(const char* name, std::size_t size) {
+    return guarded([&] {
+        const surefoot::wasm::Files files = take_files();
+        return put_on_bench([&] { return surefoot::wasm::BenchDesk::of_clips(files, std::string(name, size)); });
+    });
+}
+
+SUREFOOT_EXPORT(sf_bench) int sf_bench() {
+    return guarded([] { return bench().describe(); });
+}
+
+/// What plays on the bench, for sf_open_pack. Text: its bytes.
+SUREFOOT_EXPORT(sf_bench_pack) int sf_bench_pack() {
+    return guarded([] { return bench().pack(); });
+}
+
+/// Another threshold, "too-close.distance=6"; without text all back to the project's own.
+SUREFOOT_EXPORT(sf_bench_threshold) int sf_bench_threshold(const char* text, std::size_t size) {
+    return guarded([&] {
+        bench().set_threshold(std::string(text, size));
+        return bench().describe();
+    });
+}
+
+/// Mends a finding, or all that can be mended. Text: what was tried (BenchDesk::fix).
+SUREFOOT_EXPORT(sf_bench_fix) int sf_bench_fix(const char* id, std::size_t size) {
+    return guarded([&] { return bench().fix(std::string(id, size)); });
+}
+
+SUREFOOT_EXPORT(sf_bench_take_back) int sf_bench_take_back(const char* repair, std::size_t size) {
+    return guarded([&] {
+        bench().take_back(std::string(repair, size));
+        return bench().describe();
+    });
+}
+
+SUREFOOT_EXPORT(sf_bench_leave_out) int sf_bench_leave_out(const char* clip, std::size_t size, int out) {
+    return guarded([&] {
+        bench().leave_out(std::string(clip, size), out != 0);
+        return bench().describe();
+    });
+}
+
+/// One step back, or one forward again.
+SUREFOOT_EXPORT(sf_bench_undo) int sf_bench_undo(int again) {
+    return guarded([&] {
+        if (again != 0)
+            bench().redo();
+        else
+            bench().undo();
+        return bench().describe();
+    });
+}
+
+/// Plays the spaces and measures them.
+SUREFOOT_EXPORT(sf_bench_probe) int sf_bench_probe(int grid) {
+    return guarded([&] {
+        bench().probe(grid);
+        return bench().describe();
+    });
+}
+
+/// Text: what the probe found (BenchDesk::heat).
+SUREFOOT_EXPORT(sf_bench_heat) int sf_bench_heat() {
+    return guarded([] { return bench().heat(); });
+}
+
+/// Makes the project's files, all or only those that are not saved. Text: {"files": names, "gone": names}.
+SUREFOOT_EXPORT(sf_bench_files) int sf_bench_files(int all) {
+    return guarded([&] {
+        g_made = bench().files(all != 0);
+        nlohmann::ordered_json out = {{"files", nlohmann::ordered_json::array()}, {"gone", bench().gone()}};
+        for (const auto& [name, bytes] : g_made) out["files"].push_back(name);
+        return out.dump();
+    });
+}
+
+/// Text: the bytes of one of them, which is given away: it can be had once.
+SUREFOOT_EXPORT(sf_bench_file) int sf_bench_file(const char* name, std::size_t size) {
+    return guarded([&] {
+        const auto found = g_made.find(std::string(name, size));
+        if (found == g_made.end()) throw surefoot::Error("there is no such file", std::string(name, size), "");
+        return std::move(g_made.extract(found).mapped());
+    });
+}
+
+SUREFOOT_EXPORT(sf_bench_saved) void sf_bench_saved() {
+    if (g_bench) g_bench->saved();
 }
 
 /// Text: the bundled gaits (gaits_json).
@@ -310,14 +433,19 @@ SUREFOOT_EXPORT(sf_gait_read) int sf_gait_read(const char* text, std::size_t siz
     });
 }
 
-/// The same gait with other values, one a parameter. Text: what it then does (GaitDesk::played).
+/// The same gait with other values, one a parameter; k_gait_curves has the curves of its controls from now on.
 SUREFOOT_EXPORT(sf_gait_play)
 int sf_gait_play(const double* values, int count, double speed_mps, double turn_deg_s) {
     return guarded([&] {
         gait_desk().play({values, static_cast<std::size_t>(std::max(count, 0))}, speed_mps, turn_deg_s);
         stage().play(gait_desk().motion());
-        return gait_desk().played();
+        return std::string();
     });
+}
+
+/// Text: what it does as it is played now, measured (GaitDesk::played).
+SUREFOOT_EXPORT(sf_gait_played) int sf_gait_played() {
+    return guarded([] { return gait_desk().played(); });
 }
 
 /// The character goes by its own clips again, and in no gait and no graph.

@@ -3,8 +3,8 @@
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/author/place.h>
 #include <surefoot/base/error.h>
+#include <surefoot/clip/sample.h>
 #include <surefoot/ground/shapes.h>
-#include <surefoot/io/load.h>
 #include <surefoot/mannequin/mannequin.h>
 #include <surefoot/math/trig.h>
 #include <surefoot/preset/default_set.h>
@@ -53,6 +53,14 @@ enum FootPlace : std::size_t {
     k_ankle = k_hip + 3
 };
 static_assert(k_ankle + 3 <= k_foot_floats);
+/// After the joints: the clips that the pose is blended from, heaviest first.
+enum GhostPlace : std::size_t {
+    k_ghost_clip,    // index into CharacterFacts::clipNames
+    k_ghost_weight,  // 0: there is none
+    k_ghost_joints   // as k_joints
+};
+constexpr std::size_t k_most_ghosts = 4;
+constexpr float k_least_ghost = 0.02f;  // weight of a clip that anybody could see in the blend
 
 void put(std::span<float> frame, std::size_t at, Vec3 v) {
     frame[at] = v.x;
@@ -84,9 +92,8 @@ Json axes_of(const LocomotionSpace& space) {
 
 }  // namespace
 
-Opened open_default() {
-    Opened opened;
-    opened.project.name = "Default character";
+Character default_character() {
+    Project project;
     std::vector<AnalyzedClip> clips;
     for (Motion& motion : make_default_set().clips) {
         const std::string name = motion.name;
@@ -94,38 +101,25 @@ Opened open_default() {
         ProjectClip clip;
         clip.name = name;
         clip.facts = clips.back().facts;
-        opened.project.clips.push_back(std::move(clip));
-        opened.poses.push_back(make_pose_table(clips.back().motion, clips.back().facts, clips.back().roles.roles));
+        project.clips.push_back(std::move(clip));
     }
     std::vector<std::string> warnings;
-    place_clips(opened.project, {}, nullptr, warnings);
-    opened.character = bake_character(clips, opened.project.spaces, opened.project.name);
-    return opened;
+    place_clips(project, {}, nullptr, warnings);
+    return bake_character(clips, project.spaces, "Default character");
 }
 
-Opened open_project(const std::map<std::string, std::string>& files) {
-    const auto bytes_of = [&](const std::string& file) -> const std::string& {
-        const auto found = files.find(file);
-        if (found == files.end())
-            throw Error("the file is missing", file, "choose the folder that 'surefoot author -o' wrote");
-        return found->second;
-    };
-    Opened opened;
-    opened.project = parse_project(bytes_of("project.json"), "project.json");
-    opened.character = bake_character(opened.project, bytes_of);
-    for (const ProjectClip& clip : opened.project.clips) {
-        opened.poses.emplace_back();
-        if (clip.excluded || files.count(clip.file) == 0) continue;
-        const std::vector<LoadedClip> loaded = read_clips(bytes_of(clip.file), clip.file);
-        if (!loaded.empty())
-            opened.poses.back() = make_pose_table(loaded.front().motion, clip.facts, opened.character.roles);
-    }
-    return opened;
+Character packed_character(std::span<const std::byte> bytes) {
+    std::string problem;
+    const std::optional<Pack> pack = Pack::open(bytes, &problem);
+    if (!pack) throw Error(problem, "the pack", "make it again");
+    return to_character(*pack);
 }
 
-Stage::Stage(Character character) : character_(std::move(character)) {
+Stage::Stage(Character character, std::vector<std::byte> bytes)
+    : bytes_(std::move(bytes)), character_(std::move(character)) {
     bind_mesh();
-    frame_.resize(k_joints + 16 * character_.standing.size());
+    const std::size_t pose_floats = 16 * character_.standing.size();
+    frame_.resize(k_joints + pose_floats + k_most_ghosts * (k_ghost_joints + pose_floats));
     models_.resize(character_.standing.size());
     walker_ = make_character_walker(character_);
     set_course("hills", grade_);
@@ -158,7 +152,11 @@ std::string Stage::describe() const {
                    {"phase", k_phase},
                    {"feet", k_feet},
                    {"footFloats", k_foot_floats},
-                   {"joints", k_joints}};
+                   {"joints", k_joints},
+                   {"ghosts", k_joints + 16 * models_.size()},
+                   {"ghostFloats", k_ghost_joints + 16 * models_.size()},
+                   {"mostGhosts", k_most_ghosts}};
+    layout["ghost"] = {{"clip", k_ghost_clip}, {"weight", k_ghost_weight}, {"joints", k_ghost_joints}};
     layout["foot"] = {{"contact", k_contact},
                       {"planted", k_planted},
                       {"pulledIn", k_pulled_in},
@@ -171,10 +169,13 @@ std::string Stage::describe() const {
                       {"sole", k_sole},
                       {"hip", k_hip},
                       {"ankle", k_ankle}};
+    Json clip_names = Json::array();
+    for (const PackedClip& clip : character_.graph.clips) clip_names.push_back(clip.name);
     Json out = {{"name", character_.name.empty() ? "Character" : character_.name},
                 {"joints", character_.skeleton->names},
                 {"parents", character_.skeleton->parents},
                 {"clips", character_.graph.clips.size()},
+                {"clipNames", std::move(clip_names)},
                 {"hipHeight", character_.hip_height},
                 {"facing", axes_of(character_.graph.facing)},
                 {"lateral", axes_of(character_.graph.lateral)},
@@ -316,6 +317,7 @@ void Stage::write_frame() {
     const Transform world = to_transform(root);
     for (Transform& joint : models_) joint = world * joint;
     for (std::size_t j = 0; j < models_.size(); ++j) put(frame_, k_joints + 16 * j, models_[j]);
+    write_ghosts(world);
     const TrackFrame now = track_frame(root, models_, character_.legs);
     frame_[k_hips] = now.hips.y - root.position.y;
 
@@ -345,6 +347,66 @@ void Stage::write_frame() {
         put(foot, k_hip, leg.hip);
         put(foot, k_ankle, leg.ankle);
     }
+}
+
+/// Each clip alone, at the time at which it plays in the blend, where the character is.
+void Stage::write_ghosts(const Transform& root) {
+    const std::size_t joints = models_.size(), size = k_ghost_joints + 16 * joints;
+    const std::span<float> ghosts = std::span(frame_).subspan(k_joints + 16 * joints);
+    std::fill(ghosts.begin(), ghosts.end(), 0.0f);
+    if (guest_) return;  // they are not of the stage's clips
+    std::vector<Leaf> leaves(walker_->playing().begin(), walker_->playing().end());
+    std::stable_sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) { return a.weight > b.weight; });
+    std::vector<Transform> locals(joints), models(joints);
+    for (std::size_t g = 0; g < k_most_ghosts; ++g) {
+        const std::span<float> ghost = ghosts.subspan(g * size, size);
+        if (g >= leaves.size() || leaves[g].weight <= k_least_ghost) break;
+        ghost[k_ghost_weight] = leaves[g].weight;
+        ghost[k_ghost_clip] = static_cast<float>(leaves[g].clip);
+        const Leaf alone{leaves[g].clip, leaves[g].time, 1};
+        sample_pose(*character_.skeleton, character_.graph.clips, {&alone, 1}, locals);
+        local_to_model(*character_.skeleton, locals, models);
+        for (std::size_t j = 0; j < joints; ++j) put(ghost, k_ghost_joints + 16 * j, root * models[j]);
+    }
+}
+
+const LocomotionSpace& Stage::space_named(const std::string& name) const {
+    const LocomotionGraph& graph = character_.graph;
+    const LocomotionSpace* space = name == "facing" ? &graph.facing : name == "lateral" ? &graph.lateral : nullptr;
+    for (const LocomotionStyle& style : graph.styles)
+        if (name == std::string(k_style_prefix) + style.name) space = &style.space;
+    if (!space || space->empty()) throw Error("there is no such blend space", name, "");
+    return *space;
+}
+
+void Stage::steer_to(const std::string& name, std::span<const float> at) {
+    const LocomotionSpace& space = space_named(name);
+    std::vector<float> place(at.begin(), at.end());
+    place.resize(space.space.axes.size());
+    patrols_ = false;
+    asked_ = request_at(space, place);
+    for (std::size_t s = 0; s < character_.graph.styles.size(); ++s)
+        if (&character_.graph.styles[s].space == &space) {
+            asked_.style = static_cast<std::int32_t>(s);
+            asked_.style_weight = 1;
+        }
+}
+
+std::string Stage::weights(const std::string& name, std::span<const float> at) const {
+    const LocomotionSpace& space = space_named(name);
+    SpacePoint point{};
+    for (std::size_t d = 0; d < std::min(at.size(), space.space.axes.size()); ++d) point[d] = at[d];
+    const BlendWeights found = blend_weights(space.space, point);
+    std::vector<std::pair<float, std::int32_t>> order;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(found.count); ++k)
+        order.push_back({-found.weights[k], found.samples[k]});
+    std::sort(order.begin(), order.end());
+    Json out = Json::array();
+    for (const auto& [negative, sample] : order) {
+        const std::int32_t clip = space.clips[static_cast<std::size_t>(sample)];
+        out.push_back({{"clip", character_.graph.clips[static_cast<std::size_t>(clip)].name}, {"weight", -negative}});
+    }
+    return out.dump();
 }
 
 }  // namespace surefoot::wasm

@@ -2,7 +2,6 @@
 // A character on a course for somebody to look at and to steer: what the studio's Terrain workspace shows. Plain C++
 // that a native build can run as well, so that a test can compare the two bit by bit.
 
-#include <surefoot/author/lint.h>
 #include <surefoot/bake/character.h>
 #include <surefoot/course/cycle_walker.h>
 #include <surefoot/course/patrol.h>
@@ -12,7 +11,6 @@
 
 #include <array>
 #include <functional>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,22 +18,16 @@
 
 namespace surefoot::wasm {
 
-/// A project with all that is made from it.
-struct Opened {
-    Project project;
-    std::vector<PoseTable> poses;  ///< of its clips, for lint
-    Character character;
-};
-
 /// The clips of the bundled gaits.
-Opened open_default();
+Character default_character();
 
-/// A project from the bytes of its files by name ("project.json", "clips/walk.glb"). Throws Error.
-Opened open_project(const std::map<std::string, std::string>& files);
+/// What a pack holds; points into `bytes`, which must outlive it. Throws Error.
+Character packed_character(std::span<const std::byte> bytes);
 
 class Stage {
   public:
-    explicit Stage(Character character);
+    /// `bytes`: what the character points into, if anything.
+    explicit Stage(Character character, std::vector<std::byte> bytes = {});
 
     /// Name, joints, limits of the axes, courses, figures, and where what lies in `frame`: one JSON object
     /// (surefoot.d.mts: CharacterFacts).
@@ -46,6 +38,8 @@ class Stage {
     void set_mode(FootMode mode) noexcept;
     /// Who steers: somebody with the given request, or a patrol at `speed`.
     void steer(float speed, float lateral, float turn) noexcept;
+    /// As it is at a place of a space ("facing", "style:NAME"). Throws Error where there is no such space.
+    void steer_to(const std::string& space, std::span<const float> at);
     void patrol(float speed) noexcept;
     void restart();
     /// From now on it goes in this cycle instead, of its own skeleton: on flat ground, feet not placed, steered by
@@ -59,6 +53,9 @@ class Stage {
     /// By its own clips again, on the course that it is on, from the start.
     void stop_playing();
     const Character& character() const noexcept { return character_; }
+    /// Which clips play at a place of a space ("facing"), and how much: a JSON array, heaviest first. Throws Error
+    /// where there is no such space.
+    std::string weights(const std::string& space, std::span<const float> at) const;
     /// `frames` of 1/60 s, or of a `parts`th of that each: slow motion.
     void advance(int frames, int parts = 1);
 
@@ -72,11 +69,14 @@ class Stage {
     const SurfaceMesh& terrain() const noexcept { return course_.mesh; }
 
   private:
+    const LocomotionSpace& space_named(const std::string& name) const;
     void bind_mesh();
     void put_on_course();
     bool is_off_course() const noexcept;
     void write_frame();
+    void write_ghosts(const Transform& root);
 
+    std::vector<std::byte> bytes_;
     Character character_;
     Mesh mesh_;
     std::vector<float> inverse_bind_, frame_;

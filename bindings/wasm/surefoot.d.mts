@@ -11,22 +11,37 @@ export interface Exports {
   sf_space(dimensions: number, values: number, count: number, low: number, high: number): number;
   sf_weights(point: number, samples: number, weights: number): number;
   sf_put_file(name: number, nameSize: number, bytes: number, size: number): void;
-  sf_open_project(): number;
   sf_open_default(): number;
+  sf_open_pack(bytes: number, size: number): number;
   sf_course(name: number, size: number, gradeDeg: number): number;
   sf_mode(mode: number): void;
   sf_steer(speed: number, lateral: number, turn: number): void;
+  sf_steer_to(space: number, size: number, at: number, dimensions: number): number;
   sf_patrol(speed: number): void;
   sf_restart(): void;
   sf_advance(frames: number, parts: number): void;
   sf_metrics(): number;
-  sf_spaces(): number;
-  sf_threshold(text: number, size: number): number;
-  sf_blend(space: number, at: number, dimensions: number): number;
+  sf_blend(space: number, size: number, at: number, dimensions: number): number;
+  sf_bench_default(): number;
+  sf_bench_open(onDisk: number): number;
+  sf_bench_author(name: number, size: number): number;
+  sf_bench(): number;
+  sf_bench_pack(): number;
+  sf_bench_threshold(text: number, size: number): number;
+  sf_bench_fix(id: number, size: number): number;
+  sf_bench_take_back(repair: number, size: number): number;
+  sf_bench_leave_out(clip: number, size: number, out: number): number;
+  sf_bench_undo(again: number): number;
+  sf_bench_probe(grid: number): number;
+  sf_bench_heat(): number;
+  sf_bench_files(all: number): number;
+  sf_bench_file(name: number, size: number): number;
+  sf_bench_saved(): void;
   sf_gaits(): number;
   sf_gait_source(name: number, size: number): number;
   sf_gait_read(text: number, size: number): number;
   sf_gait_play(values: number, count: number, speed: number, turn: number): number;
+  sf_gait_played(): number;
   sf_gait_stop(): void;
   sf_gait_file(format: number): number;
   sf_graph_read(text: number, size: number): number;
@@ -77,6 +92,19 @@ export interface FrameLayout {
   footFloats: number;
   /** 16 a joint: 4x4, column-major, world */
   joints: number;
+  /** The clips that the pose is blended from, heaviest first; `ghostFloats` each, `mostGhosts` of them */
+  ghosts: number;
+  ghostFloats: number;
+  mostGhosts: number;
+  /** Inside a ghost, relative to its own begin. */
+  ghost: {
+    /** index into CharacterFacts.clipNames */
+    clip: number;
+    /** 0: there is none */
+    weight: number;
+    /** as of the character */
+    joints: number;
+  };
   foot: {
     /** 0 lifted, 1 heel, 2 toes, 3 flat: as the clip means it */
     contact: number;
@@ -105,8 +133,9 @@ export interface CharacterFacts {
   name: string;
   joints: string[];
   parents: number[];
-  /** How many clips it has. */
+  /** How many clips it has, and what they are called. */
   clips: number;
+  clipNames: string[];
   /** [m] */
   hipHeight: number;
   /** Limits of the axes of its blend spaces, by name: [low, high]. */
@@ -161,6 +190,10 @@ export interface Finding {
   clips: string[];
   /** Empty where there is no place. */
   at: number[];
+  /** For `benchFix`. */
+  id: string;
+  /** What would mend it, in words; null where nothing is known. */
+  mend: string | null;
 }
 
 export interface Placeholder {
@@ -173,12 +206,61 @@ export interface Placeholder {
   text: string;
 }
 
-export interface SpacesFacts {
+/** A clip that is part of no space. */
+export interface LeftOut {
+  clip: string;
+  reason: string;
+  byUser: boolean;
+  /** It can be taken in again. */
+  atHand: boolean;
+}
+
+/** A project that is worked on. */
+export interface BenchFacts {
+  name: string;
   spaces: SpaceFacts[];
   rules: LintRule[];
   /** Worst first. */
   findings: Finding[];
   placeholders: Placeholder[];
+  /** Those that were made, in order. */
+  repairs: { id: string; rule: string; text: string }[];
+  leftOut: LeftOut[];
+  /** Files that could not be read, with the reason. */
+  failed: string[];
+  warnings: string[];
+  probed: boolean;
+  /** What would be undone or done again, in words; null where nothing is. */
+  undo: string | null;
+  redo: string | null;
+  /** It is not as it was opened or saved. */
+  unsaved: boolean;
+}
+
+export interface FixAttempt {
+  /** Of the finding. */
+  id: string;
+  rule: string;
+  done: boolean;
+  /** What was done, or why nothing could be. */
+  text: string;
+}
+
+/** A figure of the probe over a space. */
+export interface Heat {
+  space: string;
+  title: string;
+  unit: string;
+  /** The ends of the scale. */
+  least: number;
+  full: number;
+  decimals: number;
+  /** From `least` to `full`. */
+  scale: string[];
+  /** Between neighbours on each axis. */
+  steps: number[];
+  /** null where nothing could be measured. */
+  cells: { at: number[]; value: number | null; text: string }[];
 }
 
 export interface GaitParameter {
@@ -219,12 +301,8 @@ export interface GaitPlayed {
   stride: number;
   /** [m/s] of planted feet; null where none is */
   skate: number | null;
-  /** [s] of the curves' values; the last is one period after the first */
-  times: number[];
-  /** [s] a cycle of the body that the gait is written for */
-  period: number;
-  /** Its controls over a cycle. */
-  curves: { name: string; unit: string; values: (number | null)[] }[];
+  /** Its controls; what they do over a cycle is the array `gaitCurves`. */
+  curves: { name: string; unit: string }[];
 }
 
 export interface GraphParameter {
@@ -323,6 +401,8 @@ export interface Arrays {
   crowdJoints: Uint16Array;
   crowdWeights: Float32Array;
   crowdTriangles: Uint32Array;
+  /** By control of the gait, in order of GaitPlayed.curves: equally many values each, over one cycle, both ends included; NaN where there is none */
+  gaitCurves: Float32Array;
 }
 
 export interface Surefoot {
@@ -333,30 +413,56 @@ export interface Surefoot {
     low: number[],
     high: number[],
   ): { weights(point: number[]): { sample: number; weight: number }[] };
+  /** Who is on the stage: the character of the bundled gaits, or that of a pack. */
   openDefault(): CharacterFacts;
-  openProject(files: Iterable<[string, Uint8Array]>): CharacterFacts;
+  openPack(bytes: Uint8Array): CharacterFacts;
   setCourse(name: string, gradeDeg: number): void;
   setMode(mode: FootMode): void;
   /** [m/s] ahead and to the left, [deg/s] to the left */
   steer(speed: number, lateral: number, turn: number): void;
+  /** As it is at a place of a space, one value an axis. */
+  steerTo(space: string, at: number[]): void;
   patrol(speed: number): void;
   restart(): void;
   /** So many frames of 1/60 s, or of a `parts`th of that each. */
   advance(frames: number, parts?: number): void;
   /** In order of CharacterFacts.figures; null before there are two seconds. */
   metrics(): FigureValue[] | null;
-  spaces(): SpacesFacts;
-  setThreshold(rule: string, threshold: string, value: number): SpacesFacts;
-  resetThresholds(): SpacesFacts;
-  /** Which clips play at a place of a space, heaviest first. */
-  blend(space: number, at: number[]): { clip: string; weight: number }[];
+  /** Which clips play on the stage at a place of a space, heaviest first. */
+  blend(space: string, at: number[]): { clip: string; weight: number }[];
+  /** A project on the bench: that of the bundled gaits, one that `surefoot author` wrote, or one made of clips. */
+  benchDefault(): BenchFacts;
+  benchOpen(files: Iterable<[string, Uint8Array]>, onDisk?: boolean): BenchFacts;
+  benchAuthor(files: Iterable<[string, Uint8Array]>, name: string): BenchFacts;
+  bench(): BenchFacts;
+  /** What plays on the bench, for `openPack`. */
+  benchPack(): Uint8Array<ArrayBuffer>;
+  benchThreshold(rule: string, threshold: string, value: number): BenchFacts;
+  benchResetThresholds(): BenchFacts;
+  /** Mends a finding by its id, all that can be mended without. */
+  benchFix(id?: string): FixAttempt[];
+  /** Takes back a repair and those that build on it. */
+  benchTakeBack(repair: string): BenchFacts;
+  benchLeaveOut(clip: string, out: boolean): BenchFacts;
+  benchUndo(): BenchFacts;
+  benchRedo(): BenchFacts;
+  /** Plays the spaces and measures them; `grid` points an axis, or as many as is usual. */
+  benchProbe(grid?: number): BenchFacts;
+  /** What the probe found; empty where nobody probed. */
+  benchHeat(): Heat[];
+  /** The project's files, all or those that are not saved; and which are saved and not part of it any more. */
+  benchFiles(all: boolean): { files: [string, Uint8Array<ArrayBuffer>][]; gone: string[] };
+  /** It is on disk as it is now. */
+  benchSaved(): void;
   /** The bundled gaits, and the text of one. */
   gaits(): { name: string; help: string }[];
   gaitSource(name: string): string;
   /** The character goes in this gait from now on. Throws with line, column and a caret, and all stays as it was. */
   gaitRead(text: string): GaitFacts;
   /** One value a parameter; speeds of 0 are the gait's own. */
-  gaitPlay(values: number[], speed: number, turn: number): GaitPlayed;
+  gaitPlay(values: number[], speed: number, turn: number): void;
+  /** What it does now: measured, which takes longer than to play it. */
+  gaitPlayed(): GaitPlayed;
   gaitStop(): void;
   /** The gait's clip as a file. */
   gaitFile(format: 'bvh' | 'glb'): Uint8Array<ArrayBuffer>;
@@ -374,5 +480,8 @@ export interface Surefoot {
   array<Name extends keyof Arrays>(name: Name): Arrays[Name];
 }
 
+/** Told of long work, step by step: "measuring", 3 of 20. */
+export type OnProgress = (label: string, done: number, total: number) => void;
+
 /** Throws Error with a text for people where the module cannot be run, and so do all calls that open or analyze. */
-export function load(bytes: BufferSource): Promise<Surefoot>;
+export function load(bytes: BufferSource, onProgress?: OnProgress): Promise<Surefoot>;

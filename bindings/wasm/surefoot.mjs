@@ -14,8 +14,8 @@
 
 const k_no_such_call = 52; // WASI's ENOSYS: the module has no files and no system to call
 
-/** What a stand-alone module imports: a few WASI calls, of which only clocks and output mean anything here. */
-function imports(module, memory) {
+/** What the module imports: our own word of progress, and a few WASI calls, of which only clocks and output mean anything here. */
+function imports(module, memory, onProgress) {
   const print = { 1: '', 2: '' };
   const known = {
     proc_exit(code) {
@@ -47,6 +47,9 @@ function imports(module, memory) {
       return 0;
     },
     emscripten_notify_memory_growth() {},
+    progress(label, size, done, total) {
+      onProgress?.(new TextDecoder().decode(new Uint8Array(memory().buffer, label, size).slice()), done, total);
+    },
   };
   const wanted = {};
   for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
@@ -76,6 +79,7 @@ const k_arrays = {
   crowdJoints: Uint16Array,
   crowdWeights: Float32Array,
   crowdTriangles: Uint32Array,
+  gaitCurves: Float32Array,
 };
 
 class Surefoot {
@@ -92,8 +96,7 @@ class Surefoot {
 
   /** What the clip in a BVH text does: one entry of `surefoot analyze --json`. */
   analyzeBvh(text) {
-    const bytes = new TextEncoder().encode(text);
-    return this.#with([bytes], (at) => JSON.parse(this.#text(this.#c.sf_analyze_bvh(at, bytes.length))));
+    return JSON.parse(this.#named('sf_analyze_bvh', text));
   }
 
   /** A blend space: samples and the axes' limits, each an array of as many numbers as there are axes. */
@@ -110,18 +113,13 @@ class Surefoot {
     return JSON.parse(this.#text(this.#c.sf_open_default()));
   }
 
-  /** The same with that of a project: the bytes of its files by name, "project.json" and "clips/…". */
-  openProject(files) {
-    for (const [name, bytes] of files)
-      this.#with([new TextEncoder().encode(name), bytes], (at, from) =>
-        this.#c.sf_put_file(at, new TextEncoder().encode(name).length, from, bytes.byteLength),
-      );
-    return JSON.parse(this.#text(this.#c.sf_open_project()));
+  /** The same with that of a pack. */
+  openPack(bytes) {
+    return this.#with([bytes], (at) => JSON.parse(this.#text(this.#c.sf_open_pack(at, bytes.byteLength))));
   }
 
   setCourse(name, gradeDeg) {
-    const bytes = new TextEncoder().encode(name);
-    this.#with([bytes], (at) => this.#text(this.#c.sf_course(at, bytes.length, gradeDeg)));
+    this.#named('sf_course', name, gradeDeg);
   }
 
   setMode(mode) {
@@ -130,6 +128,11 @@ class Surefoot {
 
   steer(speed, lateral, turn) {
     this.#c.sf_steer(speed, lateral, turn);
+  }
+
+  /** As it is at a place of a space. */
+  steerTo(space, at) {
+    this.#placed('sf_steer_to', space, at);
   }
 
   patrol(speed) {
@@ -148,24 +151,83 @@ class Surefoot {
     return JSON.parse(this.#text(this.#c.sf_metrics()));
   }
 
-  /** The blend spaces of who is on the stage, what is wrong with them, and what would mend it. */
-  spaces() {
-    return JSON.parse(this.#text(this.#c.sf_spaces()));
+  /** Which clips play on the stage at a place of a space, heaviest first. */
+  blend(space, at) {
+    return JSON.parse(this.#placed('sf_blend', space, at));
+  }
+
+  /** Puts the project of the bundled gaits on the bench. */
+  benchDefault() {
+    return JSON.parse(this.#text(this.#c.sf_bench_default()));
+  }
+
+  /**
+   * The same with one that `author` wrote: the bytes of its files by name, "project.json" and "clips/…". They are as on
+   * disk, or unsaved work that was kept elsewhere.
+   */
+  benchOpen(files, onDisk = true) {
+    this.#put(files);
+    return JSON.parse(this.#text(this.#c.sf_bench_open(onDisk ? 1 : 0)));
+  }
+
+  /** The same with one that is made of clips. */
+  benchAuthor(files, name) {
+    this.#put(files);
+    return JSON.parse(this.#named('sf_bench_author', name));
+  }
+
+  bench() {
+    return JSON.parse(this.#text(this.#c.sf_bench()));
+  }
+
+  benchPack() {
+    return this.#bytes(this.#c.sf_bench_pack());
   }
 
   /** Another threshold of a rule, or all back to the project's own. */
-  setThreshold(rule, threshold, value) {
-    return this.#threshold(`${rule}.${threshold}=${value}`);
+  benchThreshold(rule, threshold, value) {
+    return JSON.parse(this.#named('sf_bench_threshold', `${rule}.${threshold}=${value}`));
   }
 
-  resetThresholds() {
-    return this.#threshold('');
+  benchResetThresholds() {
+    return JSON.parse(this.#named('sf_bench_threshold', ''));
   }
 
-  /** Which clips play at a place of a space (an index into `spaces`), heaviest first. */
-  blend(space, at) {
-    const point = new Float32Array(at);
-    return this.#with([point], (place) => JSON.parse(this.#text(this.#c.sf_blend(space, place, point.length))));
+  benchFix(id = '') {
+    return JSON.parse(this.#named('sf_bench_fix', id));
+  }
+
+  benchTakeBack(repair) {
+    return JSON.parse(this.#named('sf_bench_take_back', repair));
+  }
+
+  benchLeaveOut(clip, out) {
+    return JSON.parse(this.#named('sf_bench_leave_out', clip, out ? 1 : 0));
+  }
+
+  benchUndo() {
+    return JSON.parse(this.#text(this.#c.sf_bench_undo(0)));
+  }
+
+  benchRedo() {
+    return JSON.parse(this.#text(this.#c.sf_bench_undo(1)));
+  }
+
+  benchProbe(grid = 0) {
+    return JSON.parse(this.#text(this.#c.sf_bench_probe(grid)));
+  }
+
+  benchHeat() {
+    return JSON.parse(this.#text(this.#c.sf_bench_heat()));
+  }
+
+  benchFiles(all) {
+    const { files, gone } = JSON.parse(this.#text(this.#c.sf_bench_files(all ? 1 : 0)));
+    return { files: files.map((name) => [name, this.#namedBytes('sf_bench_file', name)]), gone };
+  }
+
+  benchSaved() {
+    this.#c.sf_bench_saved();
   }
 
   gaits() {
@@ -173,21 +235,22 @@ class Surefoot {
   }
 
   gaitSource(name) {
-    const bytes = new TextEncoder().encode(name);
-    return this.#with([bytes], (at) => this.#text(this.#c.sf_gait_source(at, bytes.length)));
+    return this.#named('sf_gait_source', name);
   }
 
   /** The character goes in the gait of this text from now on. */
   gaitRead(text) {
-    const bytes = new TextEncoder().encode(text);
-    return this.#with([bytes], (at) => JSON.parse(this.#text(this.#c.sf_gait_read(at, bytes.length))));
+    return JSON.parse(this.#named('sf_gait_read', text));
   }
 
   /** In the same gait with other values, one a parameter; speeds of 0 are its own. */
   gaitPlay(values, speed, turn) {
-    return this.#with([new Float64Array(values)], (at) =>
-      JSON.parse(this.#text(this.#c.sf_gait_play(at, values.length, speed, turn))),
-    );
+    this.#with([new Float64Array(values)], (at) => this.#text(this.#c.sf_gait_play(at, values.length, speed, turn)));
+  }
+
+  /** What it does now: measured, which takes longer than to play it. */
+  gaitPlayed() {
+    return JSON.parse(this.#text(this.#c.sf_gait_played()));
   }
 
   /** By its own clips again. */
@@ -231,9 +294,28 @@ class Surefoot {
     return this.#c.sf_crowd_advance(seconds, eyeX, eyeZ, lasting ? 1 : 0);
   }
 
-  #threshold(text) {
+  /** Gives files to the next call that opens some. */
+  #put(files) {
+    for (const [name, bytes] of files) {
+      const text = new TextEncoder().encode(name);
+      this.#with([text, bytes], (at, from) => this.#c.sf_put_file(at, text.length, from, bytes.byteLength));
+    }
+  }
+
+  /** A call whose first argument is a text. */
+  #namedBytes(call, text, ...rest) {
     const bytes = new TextEncoder().encode(text);
-    return this.#with([bytes], (at) => JSON.parse(this.#text(this.#c.sf_threshold(at, bytes.length))));
+    return this.#with([bytes], (at) => this.#bytes(this.#c[call](at, bytes.length, ...rest)));
+  }
+
+  /** A call about a place of a space. */
+  #placed(call, space, at) {
+    const name = new TextEncoder().encode(space), point = new Float32Array(at);
+    return this.#with([name, point], (text, place) => this.#text(this.#c[call](text, name.length, place, point.length)));
+  }
+
+  #named(call, text, ...rest) {
+    return new TextDecoder().decode(this.#namedBytes(call, text, ...rest));
   }
 
   /** A view upon the module's memory: read it at once, the next call may move it. */
@@ -282,12 +364,12 @@ class Surefoot {
   }
 }
 
-export async function load(bytes) {
+export async function load(bytes, onProgress) {
   const module = await WebAssembly.compile(bytes);
   let instance;
   instance = await WebAssembly.instantiate(
     module,
-    imports(module, () => instance.exports.memory),
+    imports(module, () => instance.exports.memory, onProgress),
   );
   instance.exports._initialize?.();
   return new Surefoot(instance.exports);

@@ -56,7 +56,7 @@ BodyBinding bind_gait(const Gait& gait) {
     return binding;
 }
 
-AnalyzedClip play_gait(const Gait& gait, std::span<const double> values, const GaitActor& actor, const GaitPlay& play) {
+Motion gait_motion(const Gait& gait, std::span<const double> values, const GaitActor& actor, const GaitPlay& play) {
     check(play, gait.name);
     const Body& body = actor.body;
     const BodyBinding binding = bind_gait(gait);
@@ -67,9 +67,7 @@ AnalyzedClip play_gait(const Gait& gait, std::span<const double> values, const G
     const int steps = std::clamp(static_cast<int>(play.fps * period * time_scale + 0.5), 8, 100000);
     const double fps = steps / (period * time_scale);
 
-    AnalyzedClip clip;
-    Motion& motion = clip.motion =
-        make_motion(actor.skeleton, gait.name, steps * play.cycles + 1, static_cast<float>(fps));
+    Motion motion = make_motion(actor.skeleton, gait.name, steps * play.cycles + 1, static_cast<float>(fps));
     motion.cyclic = true;
     const std::size_t controls = gait.program.outputs.size();
     std::vector<double> controlled(controls);
@@ -100,6 +98,12 @@ AnalyzedClip play_gait(const Gait& gait, std::span<const double> values, const G
         motion.root[static_cast<std::size_t>(f)] =
             motion.root[static_cast<std::size_t>(f - 1)] * step(rates[from], rates[from + 1], seconds);
     }
+    return motion;
+}
+
+AnalyzedClip play_gait(const Gait& gait, std::span<const double> values, const GaitActor& actor, const GaitPlay& play) {
+    AnalyzedClip clip;
+    const Motion& motion = clip.motion = gait_motion(gait, values, actor, play);
     clip.roles = actor.roles;
     clip.legs = actor.legs;
     clip.source = gait.name;

@@ -47,4 +47,7 @@ BodyBinding bind_gait(const Gait& gait);
 AnalyzedClip play_gait(const Gait& gait, std::span<const double> values, const GaitActor& actor,
                        const GaitPlay& play = {});
 
+/// Its motion alone: nothing is measured, which takes most of the time.
+Motion gait_motion(const Gait& gait, std::span<const double> values, const GaitActor& actor, const GaitPlay& play = {});
+
 }  // namespace surefoot

@@ -21,30 +21,30 @@ function keys(name) {
 }
 
 let passed = 0;
-function test(name, body) {
-  body();
+async function test(name, body) {
+  await body();
   console.log(`ok  ${name}`);
   ++passed;
 }
 
-test('every scenario has the same bits as natively', () => {
+await test('every scenario has the same bits as natively', () => {
   const lines = surefoot.scenarios();
   assert.ok(lines.split('\n').length > 2);
   assert.equal(lines, twin('scenarios'));
 });
 
-test('the facts of a clip are the same text as natively', () => {
+await test('the facts of a clip are the same text as natively', () => {
   const facts = surefoot.analyzeBvh(twin('bvh'));
   assert.deepEqual(facts, JSON.parse(twin('facts')));
   assert.ok(facts.frames > 10 && Number.isFinite(facts.speed_mps));
 });
 
-test('a bad file throws our message', () => {
+await test('a bad file throws our message', () => {
   assert.throws(() => surefoot.analyzeBvh('HIERARCHY nonsense'), /clip\.bvh/);
   assert.throws(() => surefoot.analyzeBvh(''), /clip\.bvh/);
 });
 
-test('a blend space gives barycentric weights and clamps outside', () => {
+await test('a blend space gives barycentric weights and clamps outside', () => {
   const space = surefoot.space([[0, 0], [2, 0], [2, 80]], [0, -90], [5, 90]);
   const middle = space.weights([1, 0]);
   assert.equal(middle.reduce((sum, w) => sum + w.weight, 0), 1);
@@ -54,13 +54,13 @@ test('a blend space gives barycentric weights and clamps outside', () => {
   assert.throws(() => surefoot.space([], [0], [1]), /at least one sample/);
 });
 
-test('memory grows and is given back', () => {
+await test('memory grows and is given back', () => {
   const space = surefoot.space([[0], [1]], [0], [1]);
   for (let i = 0; i < 20000; ++i) space.weights([i / 20000]);
   surefoot.scenarios();
 });
 
-test('the module exports what surefoot.d.mts declares, with as many parameters', () => {
+await test('the module exports what surefoot.d.mts declares, with as many parameters', () => {
   const declared = new Map();
   for (const [, name, parameters] of types.matchAll(/^  (sf_\w+)\((.*)\): \w+;$/gm))
     declared.set(name, parameters === '' ? 0 : parameters.split(',').length);
@@ -90,7 +90,7 @@ function playStage(frame) {
   play(60, 1);
 }
 
-test('a steered walk has the same bits as natively, frame by frame', () => {
+await test('a steered walk has the same bits as natively, frame by frame', () => {
   const native = execFileSync(twinFile, ['stage'], { maxBuffer: 1 << 28 });
   let at = 0;
   playStage((frame) => {
@@ -101,12 +101,15 @@ test('a steered walk has the same bits as natively, frame by frame', () => {
   assert.equal(at, native.length);
 });
 
-test('what a character is has all that surefoot.d.mts declares, and its mesh is sound', () => {
+await test('what a character is has all that surefoot.d.mts declares, and its mesh is sound', () => {
   const facts = surefoot.openDefault();
   assert.deepEqual(Object.keys(facts).sort(), keys('CharacterFacts'));
   assert.deepEqual(Object.keys(facts.layout).sort(), keys('FrameLayout'));
   const joints = facts.joints.length, vertices = surefoot.array('positions').length / 3;
-  assert.equal(surefoot.array('frame').length, facts.layout.joints + 16 * joints);
+  const { ghosts, ghostFloats, mostGhosts, ghost } = facts.layout;
+  assert.equal(ghosts, facts.layout.joints + 16 * joints);
+  assert.equal(ghostFloats, ghost.joints + 16 * joints);
+  assert.equal(surefoot.array('frame').length, ghosts + mostGhosts * ghostFloats);
   assert.equal(surefoot.array('inverseBind').length, 16 * joints);
   assert.equal(surefoot.array('weights').length, 4 * vertices);
   assert.ok(surefoot.array('triangles').every((corner) => corner < vertices));
@@ -114,24 +117,105 @@ test('what a character is has all that surefoot.d.mts declares, and its mesh is 
   assert.ok(surefoot.array('terrain').length > 0 && surefoot.array('terrainTriangles').length % 3 === 0);
 });
 
-test('blend spaces, findings under another threshold, and weights are the same text as natively', () => {
+await test('a project under another threshold, what mends it, and what the probe finds are the same text as natively', () => {
   surefoot.openDefault();
-  const before = surefoot.spaces();
-  const after = surefoot.setThreshold('too-close', 'distance', 20);
-  const native = twin('spaces').split('\n');
-  assert.deepEqual(after, JSON.parse(native[0]));
-  assert.deepEqual(surefoot.blend(0, [1, 20]), JSON.parse(native[1]));
+  const [weights, described, attempts, mended, heat] = twin('bench').split('\n').map((line) => line && JSON.parse(line));
+  assert.deepEqual(surefoot.blend('facing', [1, 20]), weights);
+  const before = surefoot.benchDefault();
+  const after = surefoot.benchThreshold('too-close', 'distance', 20);
+  assert.deepEqual(after, described);
   assert.ok(after.findings.length > before.findings.length, 'a wider threshold finds more');
-  assert.deepEqual(surefoot.resetThresholds(), before);
-  assert.throws(() => surefoot.setThreshold('too-close', 'nonsense', 1), /too-close/);
-  assert.throws(() => surefoot.blend(9, [0]), /no such blend space/);
-  const sum = surefoot.blend(0, [1.2, -30]).reduce((total, each) => total + each.weight, 0);
+  assert.deepEqual(surefoot.benchFix(), attempts);
+  assert.ok(attempts.some(({ done }) => done), 'something is mended');
+  surefoot.benchProbe(5);
+  assert.deepEqual(surefoot.bench(), mended);
+  assert.deepEqual(surefoot.benchHeat(), heat);
+  assert.ok(heat.length > 4 && heat[0].cells.some(({ value }) => value > heat[0].least));
+  assert.throws(() => surefoot.blend('nowhere', [0]), /no such blend space/);
+  const sum = surefoot.blend('lateral', [0.2, 0.1]).reduce((total, each) => total + each.weight, 0);
   assert.ok(Math.abs(sum - 1) < 1e-6);
-  const names = { SpacesFacts: after, SpaceFacts: after.spaces[0], LintRule: after.rules[0], Finding: after.findings[0] };
-  for (const [name, value] of Object.entries(names)) assert.deepEqual(Object.keys(value).sort(), keys(name), name);
+  const shapes = {
+    BenchFacts: after, SpaceFacts: after.spaces[0], LintRule: after.rules[0], Finding: after.findings[0],
+    FixAttempt: attempts[0], Heat: heat[0],
+  };
+  for (const [name, value] of Object.entries(shapes)) assert.deepEqual(Object.keys(value).sort(), keys(name), name);
 });
 
-test('a gait that is shaped while it goes has the same bits as natively, frame by frame', () => {
+await test('every step on the bench can be undone and done again, and a bad one changes nothing', () => {
+  const before = surefoot.benchDefault();
+  assert.equal(before.undo, null);
+  const clip = 'strafe_left';
+  const left = surefoot.benchLeaveOut(clip, true);
+  assert.ok(left.leftOut.some((each) => each.clip === clip && each.byUser && each.atHand));
+  surefoot.benchFix();
+  const mended = surefoot.bench();
+  assert.ok(mended.repairs.length > 0);
+  const taken = surefoot.benchTakeBack(mended.repairs[0].id);
+  assert.ok(taken.repairs.length < mended.repairs.length);
+  const steps = ({ undo, redo, ...rest }) => rest;
+  assert.deepEqual(steps(surefoot.benchUndo()), steps(mended));
+  assert.deepEqual(steps(surefoot.benchUndo()), steps(left));
+  assert.deepEqual(steps(surefoot.benchUndo()), steps(before));
+  assert.deepEqual(steps(surefoot.benchUndo()), steps(before), 'there is nothing before the beginning');
+  assert.deepEqual(steps(surefoot.benchRedo()), steps(left));
+  assert.throws(() => surefoot.benchThreshold('too-close', 'nonsense', 1), /too-close/);
+  assert.throws(() => surefoot.benchTakeBack('77'), /77/);
+  assert.throws(() => surefoot.benchLeaveOut('nobody', true), /nobody/);
+  assert.throws(() => surefoot.benchAuthor([['a.bvh', new Uint8Array(3)]], 'x'), /a\.bvh/);
+  assert.throws(() => surefoot.benchOpen([]), /project\.json/);
+  assert.throws(() => surefoot.benchOpen([['project.json', new TextEncoder().encode('{"version": 1')]]), /project\.json/);
+  assert.deepEqual(steps(surefoot.bench()), steps(left));
+  surefoot.benchThreshold('too-close', 'distance', 20);
+  const [one, two] = [surefoot.benchThreshold('too-close', 'distance', 21), surefoot.benchUndo()];
+  assert.equal(one.undo, 'too-close.distance', 'a slider that is dragged is one step');
+  assert.deepEqual(steps(two), steps(left));
+});
+
+await test('a project that is mended gives the same files and the same pack as natively, and opens again from them', () => {
+  surefoot.benchDefault();
+  surefoot.benchFix();
+  const { files } = surefoot.benchFiles(true), pack = surefoot.benchPack();
+  const made = Buffer.concat([...files.map(([, bytes]) => bytes), pack]);
+  assert.ok(made.equals(execFileSync(twinFile, ['files'], { maxBuffer: 1 << 28 })));
+  const again = surefoot.benchOpen(files);
+  assert.equal(again.unsaved, false);
+  assert.equal(again.name, 'Default character');
+  assert.deepEqual(surefoot.benchFiles(false).files.map(([name]) => name), ['project.json', 'report.html']);
+  assert.equal(surefoot.benchOpen(files, false).unsaved, true);
+  assert.deepEqual(surefoot.benchFiles(false).files.map(([name]) => name).sort(), files.map(([name]) => name).sort());
+  const told = surefoot.openPack(pack);
+  assert.equal(told.clips, told.clipNames.length);
+  surefoot.advance(10);
+  assert.throws(() => surefoot.openPack(pack.subarray(0, 1000)), /pack/);
+  surefoot.advance(10);
+});
+
+await test('long work is told step by step', async () => {
+  const told = [];
+  const watched = await load(readFileSync(moduleFile), (...step) => told.push(step.join(' ')));
+  watched.benchAuthor([['clip.bvh', new TextEncoder().encode(twin('bvh'))]], 'one');
+  assert.deepEqual(told, ['reading 0 1', 'reading 1 1', 'measuring 0 1', 'measuring 1 1']);
+});
+
+await test('ghosts are the clips that play, each in a pose of its own', () => {
+  const { layout, clipNames } = surefoot.openDefault();
+  surefoot.setCourse('flat', 15);
+  surefoot.steerTo('facing', [1.7, 12]);
+  surefoot.advance(180);
+  const frame = surefoot.array('frame').slice();
+  const playing = surefoot.blend('facing', [1.7, 12]).filter(({ weight }) => weight > 0.02);
+  for (const [g, { clip, weight }] of playing.entries()) {
+    const at = layout.ghosts + g * layout.ghostFloats;
+    assert.ok(Math.abs(frame[at + layout.ghost.weight] - weight) < 1e-3);
+    assert.equal(clipNames[frame[at + layout.ghost.clip]], clip);
+    // Near the character's own hips, and not the same.
+    const apart = Math.hypot(...[12, 13, 14].map((k) => frame[at + layout.ghost.joints + k] - frame[layout.joints + k]));
+    assert.ok(apart > 0 && apart < 0.2, `${clip}: ${apart}`);
+  }
+  assert.ok(playing.length > 1);
+});
+
+await test('a gait that is shaped while it goes has the same bits as natively, frame by frame', () => {
   const native = execFileSync(twinFile, ['gait'], { maxBuffer: 1 << 28 });
   surefoot.openDefault();
   const facts = surefoot.gaitRead(surefoot.gaitSource('bhatti2017'));
@@ -150,18 +234,28 @@ test('a gait that is shaped while it goes has the same bits as natively, frame b
   assert.equal(at, native.length);
 });
 
-test('gaits have all that surefoot.d.mts declares, can be saved, and a bad text changes nothing', () => {
+await test('gaits have all that surefoot.d.mts declares, can be saved, and a bad text changes nothing', () => {
   surefoot.openDefault();
   assert.throws(() => surefoot.gaitPlay([], 0, 0), /no gait yet/);
   for (const { name } of surefoot.gaits()) surefoot.gaitRead(surefoot.gaitSource(name));
   const facts = surefoot.gaitRead(surefoot.gaitSource('bhatti2017'));
   const initial = facts.parameters.map((each) => each.initial);
-  const played = surefoot.gaitPlay(initial, 0, 0);
+  surefoot.gaitPlay(initial, 0, 0);
+  const played = surefoot.gaitPlayed(), curves = surefoot.array('gaitCurves').slice();
+  const points = curves.length / played.curves.length;
+  assert.ok(Number.isInteger(points) && points > 50);
+  // Feet go up and come down again in a cycle; the body goes on.
+  const lift = played.curves.findIndex(({ name }) => name === 'LeftFoot.tY'), foot = curves.subarray(lift * points, (lift + 1) * points);
+  assert.ok(Math.abs(foot[0] - foot[points - 1]) < 1e-4 && Math.max(...foot) > Math.min(...foot) + 0.02, `${foot}`);
   const names = { GaitFacts: facts, GaitParameter: facts.parameters[0], GaitPreset: facts.presets[0], GaitPlayed: played };
   for (const [name, value] of Object.entries(names)) assert.deepEqual(Object.keys(value).sort(), keys(name), name);
   assert.throws(() => surefoot.gaitRead('gait x\nparameter a = 1 +'), /:2:\d+[^]*\^/);
   assert.throws(() => surefoot.gaitSource('moonwalk'), /no such gait/);
-  assert.deepEqual(surefoot.gaitPlay(initial, 0, 0), played);
+  surefoot.gaitPlay(initial.map((value, i) => (facts.parameters[i].name === 'df' ? 0.3 : value)), 0, 0);
+  assert.notDeepEqual(surefoot.array('gaitCurves').slice(), curves);
+  surefoot.gaitPlay(initial, 0, 0);
+  assert.deepEqual(surefoot.gaitPlayed(), played);
+  assert.deepEqual(surefoot.array('gaitCurves').slice(), curves);
   const saved = surefoot.analyzeBvh(new TextDecoder().decode(surefoot.gaitFile('bvh')));
   assert.ok(Math.abs(saved.speed_mps - played.speed) < 0.02, `${saved.speed_mps} and ${played.speed}`);
   assert.equal(new TextDecoder().decode(surefoot.gaitFile('glb').subarray(0, 4)), 'glTF');
@@ -181,7 +275,7 @@ test('gaits have all that surefoot.d.mts declares, can be saved, and a bad text 
 const graphFile = fileURLToPath(new URL('../../apps/studio/src/graphs/stroll.json', import.meta.url));
 const graphText = readFileSync(graphFile, 'utf8');
 
-test('a graph has the same bits as natively, frame by frame, and says the same of itself', () => {
+await test('a graph has the same bits as natively, frame by frame, and says the same of itself', () => {
   const native = execFileSync(twinFile, ['graph', graphFile], { maxBuffer: 1 << 28 });
   surefoot.openDefault();
   const facts = surefoot.graphRead(graphText);
@@ -206,7 +300,7 @@ test('a graph has the same bits as natively, frame by frame, and says the same o
   assert.ok(live.events.length > 5 && live.events.every(({ event }) => facts.events[event].endsWith('_strike')));
 });
 
-test('graphs have all that surefoot.d.mts declares, go on where they were after an edit, and a bad one changes nothing', () => {
+await test('graphs have all that surefoot.d.mts declares, go on where they were after an edit, and a bad one changes nothing', () => {
   surefoot.openDefault();
   assert.throws(() => surefoot.graphLive(), /no graph yet/);
   const facts = surefoot.graphRead(graphText);
@@ -252,7 +346,7 @@ test('graphs have all that surefoot.d.mts declares, go on where they were after 
   surefoot.advance(10);
 });
 
-test('a crowd has the same bits as natively, frame by frame, also where poses last', () => {
+await test('a crowd has the same bits as natively, frame by frame, also where poses last', () => {
   const native = execFileSync(twinFile, ['crowd'], { maxBuffer: 1 << 28 });
   surefoot.openDefault();
   surefoot.crowd(203);
@@ -270,7 +364,7 @@ test('a crowd has the same bits as natively, frame by frame, also where poses la
   assert.equal(at, native.length);
 });
 
-test('crowds of one to ten thousand go round without meeting, in meshes of falling cost', () => {
+await test('crowds of one to ten thousand go round without meeting, in meshes of falling cost', () => {
   assert.equal(surefoot.crowdAdvance(1 / 60, 0, 0, false), 203);
   surefoot.openDefault();
   assert.equal(surefoot.crowdAdvance(1 / 60, 0, 0, false), 0, 'another character has no crowd yet');
@@ -300,15 +394,12 @@ test('crowds of one to ten thousand go round without meeting, in meshes of falli
   assert.ok(costs.at(-1) <= 320 && costs.every((cost, i) => i === 0 || cost < costs[i - 1] / 1.9), `${costs}`);
 });
 
-test('figures come after two seconds, and errors leave the stage as it was', () => {
+await test('figures come after two seconds, and errors leave the stage as it was', () => {
   const facts = surefoot.openDefault();
   assert.equal(surefoot.metrics(), null);
   surefoot.advance(150);
   assert.equal(surefoot.metrics().length, facts.figures.length);
   assert.throws(() => surefoot.setCourse('moon', 15), /there is no course 'moon'/);
-  assert.throws(() => surefoot.openProject([]), /project\.json/);
-  const bad = new TextEncoder().encode('{"version": 1');
-  assert.throws(() => surefoot.openProject([['project.json', bad]]), /project\.json/);
   surefoot.advance(1);
   assert.equal(surefoot.metrics().length, facts.figures.length);
 });

@@ -1,11 +1,11 @@
 // The native twin of the WebAssembly module, for smoke_test.mjs to compare with: prints the hashes of the same
 // scenarios, or the BVH text or the facts of the example clip.
 
+#include <bindings/wasm/bench_desk.h>
 #include <bindings/wasm/crowd_stage.h>
 #include <bindings/wasm/gait_desk.h>
 #include <bindings/wasm/graph_desk.h>
 #include <bindings/wasm/scenario.h>
-#include <bindings/wasm/space_desk.h>
 #include <bindings/wasm/stage.h>
 
 #include <surefoot/analysis/analyze.h>
@@ -22,7 +22,7 @@
 
 /// The frames of a stage as bytes, one after the other: as tests/studio and smoke_test.mjs play it.
 void write_stage() {
-    surefoot::wasm::Stage stage(surefoot::wasm::open_default().character);
+    surefoot::wasm::Stage stage(surefoot::wasm::default_character());
     const auto play = [&](int frames, int parts) {
         for (int f = 0; f < frames; ++f) {
             stage.advance(1, parts);
@@ -41,18 +41,32 @@ void write_stage() {
     play(60, 1);
 }
 
-/// The spaces of the default character, and the weights at one place of the first.
-void write_spaces() {
-    surefoot::wasm::Opened opened = surefoot::wasm::open_default();
-    surefoot::wasm::SpaceDesk desk(std::move(opened.project), std::move(opened.poses));
-    desk.set_threshold("too-close.distance=20");
+/// Weights at a place; the default project under another threshold; what mends it, and how it is then.
+void write_bench() {
+    const surefoot::wasm::Stage stage(surefoot::wasm::default_character());
     const float at[] = {1.0f, 20.0f};
-    std::printf("%s\n%s\n", desk.describe().c_str(), desk.weights(0, at).c_str());
+    std::puts(stage.weights("facing", at).c_str());
+    surefoot::wasm::BenchDesk desk = surefoot::wasm::BenchDesk::of_default();
+    desk.set_threshold("too-close.distance=20");
+    std::puts(desk.describe().c_str());
+    std::puts(desk.fix("").c_str());
+    desk.probe(5);
+    std::puts(desk.describe().c_str());
+    std::puts(desk.heat().c_str());
+}
+
+/// The files of the default project and its pack, mended, one after the other.
+void write_files() {
+    surefoot::wasm::BenchDesk desk = surefoot::wasm::BenchDesk::of_default();
+    desk.fix("");
+    for (const auto& [name, bytes] : desk.files(true)) std::fwrite(bytes.data(), 1, bytes.size(), stdout);
+    const std::string pack = desk.pack();
+    std::fwrite(pack.data(), 1, pack.size(), stdout);
 }
 
 /// The frames of a gait as bytes, as tests/studio and smoke_test.mjs play it: at first as it is, then shaped.
 void write_gait() {
-    surefoot::wasm::Stage stage(surefoot::wasm::open_default().character);
+    surefoot::wasm::Stage stage(surefoot::wasm::default_character());
     surefoot::wasm::GaitDesk desk(stage.character());
     desk.read(surefoot::bundled_gait("bhatti2017"));
     stage.play(desk.motion());
@@ -72,7 +86,7 @@ void write_gait() {
 
 /// The frames of a crowd as bytes, as tests/studio and smoke_test.mjs play it: roots, then matrices.
 void write_crowd() {
-    const surefoot::Character character = surefoot::wasm::open_default().character;
+    const surefoot::Character character = surefoot::wasm::default_character();
     surefoot::wasm::CrowdStage crowd(character, 203);
     for (int frame = 0; frame < 90; ++frame) {
         crowd.advance(1.0f / 60, 20, 5, frame >= 30);
@@ -83,7 +97,7 @@ void write_crowd() {
 
 /// The frames of a graph as bytes, as tests/studio and smoke_test.mjs play it, then what it says of itself.
 void write_graph(const char* file) {
-    surefoot::wasm::Stage stage(surefoot::wasm::open_default().character);
+    surefoot::wasm::Stage stage(surefoot::wasm::default_character());
     surefoot::wasm::GraphDesk desk(stage.character());
     desk.read(surefoot::read_file(file));
     stage.play(desk.walker(), [&desk] { return desk.asked(); });
@@ -101,8 +115,8 @@ void write_graph(const char* file) {
     std::printf("%s\n%s\n", desk.describe().c_str(), desk.live().c_str());
 }
 
-// wasm_twin scenarios | bvh | facts (the facts of the clip that `bvh` prints) | stage | spaces | gait | crowd | graph
-// FILE
+// wasm_twin scenarios | bvh | facts (the facts of the clip that `bvh` prints) | stage | bench | files | gait | crowd |
+// graph FILE
 int main(int argc, char** argv) {
     const char* what = argc > 1 ? argv[1] : "scenarios";
     if (std::strcmp(what, "scenarios") == 0) {
@@ -125,8 +139,12 @@ int main(int argc, char** argv) {
         write_crowd();
         return 0;
     }
-    if (std::strcmp(what, "spaces") == 0) {
-        write_spaces();
+    if (std::strcmp(what, "bench") == 0) {
+        write_bench();
+        return 0;
+    }
+    if (std::strcmp(what, "files") == 0) {
+        write_files();
         return 0;
     }
     const std::string bvh = surefoot::wasm::example_bvh();

@@ -6,47 +6,53 @@ import * as session from './session';
 import * as crowd from './crowd';
 import * as graph from './graph';
 import { listen } from './input';
-import { openDropped, openFirst, openFolder } from './project';
+import * as bench from './bench';
+import { openDropped, openFirst, openGiven } from './project';
 import { course, gradeDeg, graphText, theme, workspace, type Theme, type Workspace } from './settings';
 import { isDark } from './view/theme';
 import { ProblemCard } from './ui/problem';
 import { Timeline } from './ui/timeline';
 import { Viewport } from './ui/viewport';
+import { WorkCard } from './ui/work';
 import { CrowdPanel, CrowdViewport } from './workspaces/crowd';
 import { GaitDesk, gaitKeys, GaitPanel, loadGait } from './workspaces/gait';
 import { GraphDesk, GraphPanel } from './workspaces/graph';
-import { loadSpaces, SpaceMap, SpacePanel } from './workspaces/space';
+import { spaceKeys, SpacePanel } from './workspaces/space';
+import { SpaceMap } from './workspaces/space_map';
 import { TerrainPanel } from './workspaces/terrain';
 
 const panelOpen = signal(matchMedia('(min-width: 1000px)').matches);
 const k_next_theme: Record<Theme, Theme> = { system: 'light', light: 'dark', dark: 'system' };
 const k_theme_names: Record<Theme, string> = { system: 'as the system', light: 'light', dark: 'dark' };
 
-function OpenButton() {
+/** A button that chooses files, or a whole folder. */
+function Chooser(props: { label: string; title: string; folder?: boolean; accept?: string }) {
   const input = useRef<HTMLInputElement>(null);
   return (
     <>
-      <button type="button" onClick={() => input.current!.click()} title="A folder that `surefoot author` wrote; you can also drag it in">
-        Open project…
-      </button>
+      <button type="button" onClick={() => input.current!.click()} title={props.title}>{props.label}</button>
       <input
         ref={(element) => {
           input.current = element;
-          element?.setAttribute('webkitdirectory', '');
+          if (props.folder) element?.setAttribute('webkitdirectory', '');
         }}
-        class="hidden"
+        class={`hidden ${props.folder ? 'folder' : 'files'}`}
         type="file"
+        multiple
+        accept={props.accept}
         tabIndex={-1}
         aria-hidden="true"
         onChange={(event) => {
           const files = [...(event.currentTarget.files ?? [])];
           event.currentTarget.value = '';
-          if (files.length > 0) void openFolder(files.map((file) => ({ path: file.webkitRelativePath || file.name, file })));
+          if (files.length > 0) void openGiven(files.map((file) => ({ path: file.webkitRelativePath || file.name, file })));
         }}
       />
     </>
   );
 }
+
+const dragged = signal(false);
 
 const k_workspaces: { value: Workspace; label: string }[] = [
   { value: 'gait', label: 'Gait' },
@@ -74,9 +80,14 @@ function Studio() {
   return (
     <div
       class={`studio ${workspace.value}${panelOpen.value ? '' : ' narrow'}`}
-      onDragOver={(event) => event.preventDefault()}
+      onDragOver={(event) => {
+        event.preventDefault();
+        dragged.value = true;
+      }}
+      onDragLeave={(event) => event.relatedTarget === null && (dragged.value = false)}
       onDrop={(event) => {
         event.preventDefault();
+        dragged.value = false;
         if (event.dataTransfer) void openDropped(event.dataTransfer.items);
       }}
     >
@@ -103,7 +114,8 @@ function Studio() {
           ))}
         </div>
         <p class="character">{known ? `${known.name}, ${known.clips} clips` : 'Starting the engine…'}</p>
-        <OpenButton />
+        <Chooser label="Open folder…" title="A project that `surefoot author` wrote, or a folder of clips; you can also drag it in" folder />
+        <Chooser label="Open clips…" title=".bvh and .glb files to make a blend space of; you can also drag them in" accept=".bvh,.glb,.gltf,.json,.zip" />
         <button type="button" title={`Colours: ${k_theme_names[theme.value]}`} aria-label={`Colours: ${k_theme_names[theme.value]}`} onClick={() => (theme.value = k_next_theme[theme.value])}>
           <svg viewBox="0 0 20 20" aria-hidden="true"><path d="M10 2a8 8 0 1 0 0 16zM10 3.5a6.5 6.5 0 0 1 0 13z" /></svg>
         </button>
@@ -122,6 +134,8 @@ function Studio() {
       </div>
       <Timeline />
       <ProblemCard />
+      <WorkCard />
+      {dragged.value && <p class="drop">Drop a project’s folder, or clips (.bvh, .glb) to make a blend space of</p>}
     </div>
   );
 }
@@ -152,7 +166,7 @@ effect(() => {
     void session.engine.call('gaitStop');
     if (where === 'space') {
       void session.showCourse('flat', gradeDeg.value);
-      void loadSpaces();
+      void bench.openDefaultBench();
     } else {
       session.hold(null);
       if (session.shownCourse() !== course.value) void session.showCourse(course.value, gradeDeg.value);
@@ -163,6 +177,7 @@ listen();
 addEventListener('keydown', (event) => {
   if (session.showsGait()) gaitKeys(event);
   if (session.showsGraph()) graph.graphKeys(event);
+  if (workspace.value === 'space') spaceKeys(event);
 });
 const app = document.getElementById('app')!;
 app.textContent = '';
@@ -180,6 +195,7 @@ Object.assign(globalThis, {
   studio: {
     session,
     engine: session.engine,
+    bench,
     crowd: () => ({ facts: crowd.crowd.value?.facts, posed: crowd.posed.value, costs: crowd.costs, texels: crowd.texels.length }),
     graph: { ...graph, text: () => graphText.value ?? graph.k_first_graph },
   },

@@ -11,6 +11,8 @@ export interface Problem {
   text: string;
   /** The studio cannot go on: it takes the whole window. */
   fatal?: boolean;
+  /** Nothing went wrong: something is to be decided. */
+  question?: boolean;
   actions: { label: string; run: () => void }[];
 }
 
@@ -55,12 +57,24 @@ export function say(text: string): void {
   setTimeout(() => notice.value === text && (notice.value = ''), 5000);
 }
 
-async function stage(opened: Promise<{ facts: CharacterFacts; mesh: CharacterMesh }>): Promise<void> {
-  const character = await opened;
+/** While somebody else comes on the stage nobody moves: frames of the one do not fit the other. */
+let staging = 0;
+
+async function stage(opened: Promise<{ facts: CharacterFacts; mesh: CharacterMesh }>, on?: string): Promise<void> {
+  ++staging;
+  try {
+    await put(await opened, on);
+  } finally {
+    --staging;
+  }
+}
+
+async function put(character: { facts: CharacterFacts; mesh: CharacterMesh }, on?: string): Promise<void> {
   if (!character.facts.courses.includes(course.value)) course.value = 'hills';
   await engine.call('setMode', mode.value);
-  const ground = await engine.call('setCourse', course.value, gradeDeg.value);
-  shown = course.value;
+  const name = on && character.facts.courses.includes(on) ? on : course.value;
+  const ground = await engine.call('setCourse', name, gradeDeg.value);
+  shown = name;
   batch(() => {
     facts.value = character.facts;
     mesh.value = character.mesh;
@@ -72,7 +86,8 @@ async function stage(opened: Promise<{ facts: CharacterFacts; mesh: CharacterMes
 }
 
 export const openDefault = () => stage(engine.call('openDefault'));
-export const openProject = (files: [string, Uint8Array][]) => stage(engine.call('openProject', files));
+/** Who is to be on the stage from now on, on the course that is shown. */
+export const openPack = (bytes: Uint8Array) => stage(engine.call('openPack', bytes), shown);
 
 export async function setCourse(name: string, grade: number): Promise<void> {
   if (!(await showCourse(name, grade))) return;
@@ -159,9 +174,9 @@ export const shownSeconds = () => show.seconds();
 
 let asked: Steering = { patrol: patrolSpeed.value };
 /** What is asked for while nobody steers: that of a puck; null: it patrols, or stands. */
-let held: { speed: number; lateral: number; turn: number } | null = null;
+let held: Steering | null = null;
 
-export function hold(request: { speed: number; lateral: number; turn: number } | null): void {
+export function hold(request: Steering | null): void {
   held = request;
 }
 
@@ -185,7 +200,7 @@ let measuring = false;
 
 /** Called once a picture, `seconds` after the last. */
 export function tick(seconds: number): void {
-  if (!facts.value || !playing.value) return;
+  if (!facts.value || !playing.value || staging > 0) return;
   // A display of sixty pictures a second, give or take, shows one frame a picture: no frame is doubled or left out.
   owed += Math.abs(seconds - k_frame_s) < 0.25 * k_frame_s ? 1 : Math.min(seconds / k_frame_s, k_most_frames);
   const frames = Math.min(Math.floor(owed + 1e-6), k_most_frames);

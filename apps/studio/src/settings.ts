@@ -44,6 +44,9 @@ export const patrolSpeed = kept<number>('patrolSpeed', 1.4, isNumberIn(0, 10));
 export const slowness = kept<number>('slowness', 1, isOneOf(...k_rates));
 export const cameraView = kept<CameraView>('camera', 'follow', isOneOf('follow', 'side', 'front', 'feet'));
 
+/** Whether the clips that are blended are shown beside the blend. */
+export const ghosts = kept('ghosts', true, isFlag);
+
 export const overlays = {
   axes: kept('overlay.axes', false, isFlag),
   hips: kept('overlay.hips', false, isFlag),

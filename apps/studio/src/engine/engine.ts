@@ -3,6 +3,9 @@ import type { CallName, Calls, CrowdFrame, FromWorker, Steering, ToWorker } from
 
 type Waiting = { resolve: (value: never) => void; reject: (error: Error) => void };
 
+/** Why a call failed: somebody wanted no more of it. */
+export class Stopped extends Error {}
+
 /** Frames travel in two buffers: one is shown while the other is filled. */
 class Exchange<Frame> {
   #spare = new ArrayBuffer(0);
@@ -36,7 +39,10 @@ export class EngineClient {
   readonly #frames = new Exchange<Float32Array>();
   readonly #crowds = new Exchange<CrowdFrame>();
 
-  constructor(onCrash: (message: string) => void) {
+  constructor(
+    onCrash: (message: string) => void,
+    readonly onProgress: (label: string, done: number, total: number) => void = () => {},
+  ) {
     this.#worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#receive(data);
     this.#worker.onerror = (event) => {
       event.preventDefault();
@@ -69,6 +75,13 @@ export class EngineClient {
     return this.#crowds.ask((buffer) => this.#post({ kind: 'crowd', seconds, eye, lasting, buffer }, [buffer]));
   }
 
+  /** Whatever it is at: what was asked of it fails. */
+  stop(): void {
+    this.#worker.terminate();
+    for (const { reject } of this.#waiting.values()) reject(new Stopped());
+    this.#waiting.clear();
+  }
+
   #post(message: ToWorker, transfer: Transferable[] = []): void {
     this.#worker.postMessage(message, transfer);
   }
@@ -81,6 +94,10 @@ export class EngineClient {
     if (message.kind === 'crowd') {
       const { buffer, posed, animationMs } = message;
       this.#crowds.arrived(buffer, { texels: new Float32Array(buffer), posed, animationMs });
+      return;
+    }
+    if (message.kind === 'progress') {
+      this.onProgress(message.label, message.done, message.total);
       return;
     }
     const waiting = this.#waiting.get(message.id);

@@ -2,12 +2,12 @@
 import type { CharacterFacts, CrowdFacts, Surefoot } from '@bindings/surefoot.mjs';
 
 export type {
-  CharacterFacts, CrowdFacts, Figure, FigureValue, Finding, FootMode, FrameLayout, GaitFacts, GaitParameter, GaitPlayed, GraphFacts,
-  GraphLive, GraphMachine, GraphParameter, GraphTransition, SpaceFacts, SpacesFacts,
+  BenchFacts, CharacterFacts, CrowdFacts, Figure, FigureValue, Finding, FixAttempt, FootMode, FrameLayout, GaitFacts, GaitParameter,
+  GaitPlayed, GraphFacts, GraphLive, GraphMachine, GraphParameter, GraphTransition, Heat, SpaceFacts,
 } from '@bindings/surefoot.mjs';
 
-/** Who steers: a patrol up and down the course, or somebody. m/s and deg/s, to the left positive. */
-export type Steering = { patrol: number } | { speed: number; lateral: number; turn: number };
+/** Who steers: a patrol up and down the course, somebody (m/s and deg/s, to the left positive), or a place of a space. */
+export type Steering = { patrol: number } | { speed: number; lateral: number; turn: number } | { space: string; at: number[] };
 
 export interface CharacterMesh {
   positions: Float32Array;
@@ -40,16 +40,20 @@ export interface TerrainMesh {
 /** What the module answers is passed on as it is. */
 type Forwarded =
   | 'setMode' | 'restart' | 'metrics' | 'scenarios'
-  | 'spaces' | 'setThreshold' | 'resetThresholds' | 'blend'
-  | 'gaits' | 'gaitSource' | 'gaitRead' | 'gaitPlay' | 'gaitStop' | 'gaitFile'
+  | 'blend' | 'bench' | 'benchDefault' | 'benchOpen' | 'benchAuthor' | 'benchPack' | 'benchThreshold' | 'benchResetThresholds'
+  | 'benchFix' | 'benchTakeBack' | 'benchLeaveOut' | 'benchUndo' | 'benchRedo' | 'benchProbe' | 'benchHeat' | 'benchFiles'
+  | 'benchSaved'
+  | 'gaits' | 'gaitSource' | 'gaitRead' | 'gaitPlayed' | 'gaitStop' | 'gaitFile'
   | 'graphRead' | 'graphSet' | 'graphLive' | 'jsonEdit';
 
 /** Calls that are answered once, by name. */
 export interface Calls extends Pick<Surefoot, Forwarded> {
   start(): void;
   openDefault(): { facts: CharacterFacts; mesh: CharacterMesh };
-  openProject(files: [string, Uint8Array][]): { facts: CharacterFacts; mesh: CharacterMesh };
+  openPack(bytes: Uint8Array): { facts: CharacterFacts; mesh: CharacterMesh };
   setCourse(name: string, gradeDeg: number): TerrainMesh;
+  /** Plays, and gives the curves of the gait's controls. */
+  gaitPlay(values: number[], speed: number, turn: number): Float32Array;
   ground(): TerrainMesh;
   crowd(count: number): { facts: CrowdFacts; mesh: CrowdMesh };
 }
@@ -66,5 +70,7 @@ export type ToWorker =
 export type FromWorker =
   | { kind: 'answer'; id: number; result: unknown }
   | { kind: 'failure'; id: number; message: string }
+  /** Of a call that takes long: "measuring", 3 of 20. */
+  | { kind: 'progress'; label: string; done: number; total: number }
   | { kind: 'frame'; buffer: ArrayBuffer }
   | { kind: 'crowd'; buffer: ArrayBuffer; posed: number; animationMs: number };

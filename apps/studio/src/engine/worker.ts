@@ -1,7 +1,7 @@
 // The engine off the main thread: the C++ of surefoot.wasm, one character on one stage.
 import wasmUrl from '@wasm?url';
 import { load, type Surefoot } from '@bindings/surefoot.mjs';
-import { k_crowd_row, type Calls, type CharacterMesh, type CrowdMesh, type FromWorker, type TerrainMesh, type ToWorker } from './messages';
+import { k_crowd_row, type CallName, type Calls, type CharacterMesh, type CrowdMesh, type FromWorker, type TerrainMesh, type ToWorker } from './messages';
 
 let engine: Surefoot | undefined;
 
@@ -40,35 +40,35 @@ function ground(): TerrainMesh {
 async function start(): Promise<void> {
   const response = await fetch(wasmUrl);
   if (!response.ok) throw new Error(`the engine's file could not be fetched (${response.status} ${response.statusText})`);
-  engine = await load(await response.arrayBuffer());
+  engine = await load(await response.arrayBuffer(), tellProgress);
 }
 
-const calls: { [Name in keyof Calls]: (...args: Parameters<Calls[Name]>) => ReturnType<Calls[Name]> | Promise<void> } = {
+const k_told_every_ms = 50;
+let told = 0;
+
+/** Not more often than anybody can see. */
+function tellProgress(label: string, done: number, total: number): void {
+  const now = performance.now();
+  if (done > 0 && done < total && now < told + k_told_every_ms) return;
+  told = now;
+  post({ kind: 'progress', label, done, total });
+}
+
+type Own = Exclude<CallName, keyof Surefoot> | 'openDefault' | 'openPack' | 'setCourse' | 'gaitPlay' | 'crowd';
+
+/** Calls that are more than one of the module's; all others are passed on as they are. */
+const calls: { [Name in Own]: (...args: Parameters<Calls[Name]>) => ReturnType<Calls[Name]> | Promise<void> } = {
   start,
   openDefault: () => ({ facts: running().openDefault(), mesh: mesh() }),
-  openProject: (files) => ({ facts: running().openProject(files), mesh: mesh() }),
+  openPack: (bytes) => ({ facts: running().openPack(bytes), mesh: mesh() }),
   setCourse(name, gradeDeg) {
     running().setCourse(name, gradeDeg);
     return ground();
   },
-  setMode: (mode) => running().setMode(mode),
-  restart: () => running().restart(),
-  metrics: () => running().metrics(),
-  scenarios: () => running().scenarios(),
-  spaces: () => running().spaces(),
-  setThreshold: (rule, threshold, value) => running().setThreshold(rule, threshold, value),
-  resetThresholds: () => running().resetThresholds(),
-  blend: (space, at) => running().blend(space, at),
-  gaits: () => running().gaits(),
-  gaitSource: (name) => running().gaitSource(name),
-  gaitRead: (text) => running().gaitRead(text),
-  gaitPlay: (values, speed, turn) => running().gaitPlay(values, speed, turn),
-  gaitStop: () => running().gaitStop(),
-  gaitFile: (format) => running().gaitFile(format),
-  graphRead: (text) => running().graphRead(text),
-  graphSet: (parameter, value) => running().graphSet(parameter, value),
-  graphLive: () => running().graphLive(),
-  jsonEdit: (text, pointer, value) => running().jsonEdit(text, pointer, value),
+  gaitPlay(values, speed, turn) {
+    running().gaitPlay(values, speed, turn);
+    return running().array('gaitCurves').slice();
+  },
   ground,
   crowd: (count) => ({ facts: running().crowd(count), mesh: crowdMesh() }),
 };
@@ -76,12 +76,23 @@ const calls: { [Name in keyof Calls]: (...args: Parameters<Calls[Name]>) => Retu
 const post = (message: FromWorker, transfer: Transferable[] = []) =>
   (self as unknown as Worker).postMessage(message, transfer);
 
-async function answer(id: number, name: keyof Calls, args: unknown[]): Promise<void> {
+type AnyCall = (...args: unknown[]) => unknown;
+
+async function answer(id: number, name: CallName, args: unknown[]): Promise<void> {
   try {
-    const call = calls[name] as (...args: unknown[]) => unknown;
-    post({ kind: 'answer', id, result: await call(...args) });
+    const own = (calls as Partial<Record<CallName, AnyCall>>)[name];
+    const result = own ? await own(...args) : (running()[name as keyof Surefoot] as AnyCall).apply(running(), args);
+    post({ kind: 'answer', id, result });
   } catch (error) {
     post({ kind: 'failure', id, message: error instanceof Error ? error.message : String(error) });
+  }
+}
+
+function steerTo(space: string, at: number[]): void {
+  try {
+    running().steerTo(space, at);
+  } catch {
+    // Somebody else has come on the stage, and where to go in the new spaces is on its way.
   }
 }
 
@@ -91,6 +102,7 @@ const roomFor = (bytes: number, buffer: ArrayBuffer) => (buffer.byteLength === b
 function advance({ frames, parts, steering, buffer: given }: Extract<ToWorker, { kind: 'advance' }>): void {
   const surefoot = running();
   if ('patrol' in steering) surefoot.patrol(steering.patrol);
+  else if ('space' in steering) steerTo(steering.space, steering.at);
   else surefoot.steer(steering.speed, steering.lateral, steering.turn);
   surefoot.advance(frames, parts);
   const frame = surefoot.array('frame');

@@ -4,17 +4,17 @@ import { useEffect, useRef } from 'preact/hooks';
 
 const k_width = 400, k_height = 100;
 
-export function Curve(props: { values: (number | null)[]; unit: string; at: () => number }) {
+export function Curve(props: { values: ArrayLike<number>; unit: string; at: () => number }) {
   const mark = useRef<SVGLineElement>(null);
   useEffect(() => effect(() => {
     const x = (k_width * props.at()).toFixed(1);
     mark.current?.setAttribute('x1', x);
     mark.current?.setAttribute('x2', x);
   }), [props.at]);
-  const known = props.values.filter((each) => each !== null);
+  const values = Array.from(props.values), known = values.filter(Number.isFinite);
   const low = Math.min(...known), high = Math.max(...known);
   const y = (value: number) => (high > low ? 4 + (k_height - 8) * ((high - value) / (high - low)) : k_height / 2);
-  const points = props.values.flatMap((value, i) => (value === null ? [] : [`${((k_width * i) / (props.values.length - 1)).toFixed(1)},${y(value).toFixed(1)}`]));
+  const points = values.flatMap((value, i) => (Number.isNaN(value) ? [] : [`${((k_width * i) / (values.length - 1)).toFixed(1)},${y(value).toFixed(1)}`]));
   const text = (value: number) => `${Number(value.toPrecision(3))} ${props.unit}`;
   return (
     <div class="curve">

@@ -4,7 +4,7 @@ export function ProblemCard() {
   const now = problem.value;
   if (!now) return null;
   return (
-    <div class={now.fatal ? 'problem fatal' : 'problem'} role="alert">
+    <div class={`problem${now.fatal ? ' fatal' : ''}${now.question ? ' question' : ''}`} role="alert">
       <div>
         <h2>{now.title}</h2>
         <p>{now.text}</p>

@@ -3,11 +3,12 @@ import { useEffect, useRef } from 'preact/hooks';
 import { effect } from '@preact/signals';
 import { facts, failForGood, frame, mesh, notice, terrain, tick } from '../session';
 import { readInput } from '../input';
-import { cameraView, overlays } from '../settings';
+import { cameraView, ghosts, overlays, workspace } from '../settings';
 import { Picture } from '../view/picture';
 import { palette } from '../view/theme';
 import { Stick } from './stick';
 import { Readout } from './readout';
+import { clipColors } from '../workspaces/space_state';
 
 /** Runs the picture until it is told to stop. */
 function run(canvas: HTMLCanvasElement): () => void {
@@ -36,6 +37,7 @@ function run(canvas: HTMLCanvasElement): () => void {
       hips: overlays.hips.value,
       contacts: overlays.contacts.value,
       footholds: overlays.footholds.value,
+      ghosts: ghosts.value && workspace.value === 'space' ? clipColors.value : null,
     };
     // First the picture of the frame that is here; the next one is made meanwhile.
     if (tired) fit(); // which empties the canvas: right before it is drawn

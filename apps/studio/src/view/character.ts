@@ -1,5 +1,8 @@
 // The skinned character. Bones are bare matrices that the engine's frame is read into; three.js computes no pose.
-import { Bone, BufferAttribute, BufferGeometry, Matrix4, MeshStandardMaterial, Skeleton, SkinnedMesh } from 'three';
+import {
+  Bone, BufferAttribute, BufferGeometry, KeepStencilOp, Matrix4, MeshStandardMaterial, NotEqualStencilFunc,
+  ReplaceStencilOp, Skeleton, SkinnedMesh,
+} from 'three';
 import type { CharacterMesh } from '../engine/messages';
 import type { Palette } from './theme';
 
@@ -20,7 +23,8 @@ export class CharacterView {
     for (let at = 0; at < mesh.inverseBind.length; at += k_matrix_floats)
       inverses.push(new Matrix4().fromArray(mesh.inverseBind, at));
     this.#bones = inverses.map(() => new Bone());
-    this.mesh = new SkinnedMesh(geometry, new MeshStandardMaterial({ roughness: 0.62 }));
+    const stencil = { stencilWrite: true, stencilRef: 1, stencilZPass: ReplaceStencilOp };
+    this.mesh = new SkinnedMesh(geometry, new MeshStandardMaterial({ roughness: 0.62, ...stencil }));
     this.mesh.bind(new Skeleton(this.#bones, inverses), new Matrix4());
     this.mesh.frustumCulled = false; // it is where its joints are, not where its node is
     this.mesh.castShadow = true;
@@ -29,6 +33,16 @@ export class CharacterView {
 
   pose(frame: Float32Array, firstJoint: number): void {
     this.#bones.forEach((bone, joint) => bone.matrixWorld.fromArray(frame, firstJoint + joint * k_matrix_floats));
+  }
+
+  /** One can see through it, and it stays around those who do not fade: the stencil has where they are. */
+  fade(): void {
+    this.mesh.material.transparent = true;
+    this.mesh.material.stencilFunc = NotEqualStencilFunc;
+    this.mesh.material.stencilZPass = KeepStencilOp;
+    this.mesh.material.depthWrite = false;
+    this.mesh.castShadow = false;
+    this.mesh.receiveShadow = false;
   }
 
   paint(palette: Palette): void {

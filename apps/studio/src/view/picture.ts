@@ -6,6 +6,7 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { CharacterFacts, CharacterMesh, TerrainMesh } from '../engine/messages';
 import type { CameraView } from '../settings';
 import { CharacterView } from './character';
+import { Ghosts } from './ghosts';
 import { GroundView } from './ground';
 import { Overlays } from './overlays';
 import { Pixels } from './pixels';
@@ -29,6 +30,7 @@ export class Picture {
   readonly #fill = new HemisphereLight();
   readonly #ground = new GroundView();
   readonly #overlays = new Overlays();
+  readonly #ghosts = new Ghosts();
   #character: CharacterView | undefined;
   #facts: CharacterFacts | undefined;
   #palette: Palette | undefined;
@@ -38,7 +40,7 @@ export class Picture {
 
   /** Throws where the browser has no WebGL 2. */
   constructor(canvas: HTMLCanvasElement) {
-    this.#renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    this.#renderer = new WebGLRenderer({ canvas, antialias: true, stencil: true, powerPreference: 'high-performance' });
     this.#renderer.shadowMap.enabled = true;
     this.#renderer.shadowMap.type = PCFShadowMap;
     this.#controls = new OrbitControls(this.#camera, canvas);
@@ -53,7 +55,7 @@ export class Picture {
     Object.assign(this.#sun.shadow.camera, { left: -1.7, right: 1.7, top: 1.7, bottom: -1.7, near: 1, far: 20 });
     this.#scene.fog = new Fog(0, 16, 52);
     this.#scene.background = new Color();
-    this.#scene.add(this.#ground.mesh, this.#overlays.group, this.#sun, this.#sun.target, this.#fill);
+    this.#scene.add(this.#ground.mesh, this.#overlays.group, this.#ghosts.group, this.#sun, this.#sun.target, this.#fill);
   }
 
   get size(): [number, number] {
@@ -89,6 +91,7 @@ export class Picture {
     this.#character = new CharacterView(mesh);
     if (this.#palette) this.#character.paint(this.#palette);
     this.#scene.add(this.#character.mesh);
+    this.#ghosts.show(mesh, facts.layout.mostGhosts);
     this.#settled = false;
   }
 
@@ -103,11 +106,12 @@ export class Picture {
   }
 
   /** Draws a frame, `seconds` after the last picture. True where the machine is so slow that it should be resized. */
-  draw(frame: Float32Array, seconds: number, shown: Parameters<Overlays['update']>[3]): boolean {
+  draw(frame: Float32Array, seconds: number, shown: Parameters<Overlays['update']>[3] & { ghosts: readonly string[] | null }): boolean {
     if (!this.#facts || !this.#character || frame.length === 0) return false;
     const { layout, ankles } = this.#facts;
     this.#character.pose(frame, layout.joints);
     this.#overlays.update(frame, layout, ankles, shown);
+    this.#ghosts.update(frame, layout, shown.ghosts);
     this.#follow(new Vector3().fromArray(frame, layout.root), frame[layout.root + 3] ?? 0, seconds);
     this.#renderer.render(this.#scene, this.#camera);
     return this.#pixels.judge(seconds);

@@ -33,3 +33,6 @@ export const palette = computed<Palette>(() =>
 
 /** Left and right, told apart by people who see colours differently, too. */
 export const k_side_colors = [0x2f7fd6, 0xe58a1f] as const;
+
+/** For what is told apart by colour alone, also by people who see colours differently (Okabe and Ito 2008). */
+export const k_told_apart = ['#0072b2', '#e69f00', '#009e73', '#cc79a7', '#d55e00', '#56b4e9'] as const;

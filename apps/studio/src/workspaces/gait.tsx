@@ -11,11 +11,14 @@ import { Undo } from '../undo';
 
 const k_first_gait = 'bhatti2017';
 const k_type_pause_ms = 250; // a text is read when its writer pauses
+const k_measure_after_ms = 150; // without another change
 const k_most_speed = 5, k_most_turn = 90;
 
 const gaits = signal<{ name: string; help: string }[]>([]);
 const gait = signal<GaitFacts | null>(null);
 const played = signal<GaitPlayed | null>(null);
+/** Of its controls, one after the other. */
+const curves = signal(new Float32Array(0));
 /** What is wrong with the text as it stands; empty: nothing. */
 const complaint = signal('');
 const shownCurve = signal('');
@@ -43,15 +46,36 @@ async function follow(): Promise<void> {
     }
   }
   working = false;
+  clearTimeout(measuring);
+  measuring = window.setTimeout(() => void measure(), k_measure_after_ms);
+}
+
+let measuring = 0;
+
+/** A slider that is dragged moves the character at once; what it then does is measured when the hand rests. */
+async function measure(): Promise<void> {
+  if (working || !showsGait() || complaint.value !== '') return;
+  try {
+    played.value = await engine.call('gaitPlayed');
+  } catch (error) {
+    complaint.value = error instanceof Error ? error.message : String(error);
+  }
 }
 
 async function make(work: GaitWork): Promise<void> {
-  if (work.text !== readText) {
+  const isNew = work.text !== readText;
+  if (isNew) {
     const known = await engine.call('gaitRead', work.text);
     readText = work.text;
     gait.value = known;
   }
-  played.value = await engine.call('gaitPlay', valuesOf(gait.value!, work), work.speed, work.turn);
+  const drawn = (await engine.call('gaitPlay', valuesOf(gait.value!, work), work.speed, work.turn)) as Float32Array<ArrayBuffer>;
+  // Another text may have other controls.
+  const measured = isNew ? await engine.call('gaitPlayed') : played.value;
+  batch(() => {
+    curves.value = drawn;
+    played.value = measured;
+  });
 }
 
 function change(label: string, part: Partial<GaitWork>): void {
@@ -102,8 +126,9 @@ export async function loadGait(): Promise<void> {
     if (!gait.value || complaint.value !== '') {
       // What was kept cannot be read as it stands: there is something to see meanwhile.
       gait.value = await engine.call('gaitRead', await engine.call('gaitSource', k_first_gait));
-      played.value = await engine.call('gaitPlay', initialValues(gait.value), 0, 0);
+      curves.value = (await engine.call('gaitPlay', initialValues(gait.value), 0, 0)) as Float32Array<ArrayBuffer>;
     }
+    played.value = await engine.call('gaitPlayed');
     await showNewGround();
   } catch (error) {
     fail('The character cannot go in gaits', error);
@@ -203,6 +228,11 @@ export function GaitPanel() {
   );
 }
 
+function curveOf({ curves: all }: GaitPlayed, name: string): Float32Array {
+  const points = Math.floor(curves.value.length / all.length), at = all.findIndex((each) => each.name === name);
+  return curves.value.subarray(at * points, (at + 1) * points);
+}
+
 /** Share of the cycle that the character is at: what the plot marks. */
 function phase(): number {
   void frameCount.value;
@@ -241,7 +271,7 @@ export function GaitDesk() {
             value={curve.name}
             onChange={(name) => batch(() => (shownCurve.value = name))}
           />
-          <Curve values={curve.values} unit={curve.unit === '1' ? '' : curve.unit} at={phase} />
+          <Curve values={curveOf(now, curve.name)} unit={curve.unit === '1' ? '' : curve.unit} at={phase} />
         </div>
       )}
     </div>

@@ -1,0 +1,37 @@
+// Unsaved work, kept in this browser's own storage so that it survives a reload.
+
+/** A project's files, and whose they are: of the served folder by name, or of nobody. */
+export interface KeptWork {
+  files: [string, Uint8Array][];
+  folder: string | null;
+  /** What the folder's project.json was when it was opened. */
+  known: string;
+}
+
+const k_store = 'work', k_key = 'last';
+
+function request<T>(asked: IDBRequest<T>): Promise<T> {
+  return new Promise((resolve, reject) => {
+    asked.onsuccess = () => resolve(asked.result);
+    asked.onerror = () => reject(asked.error);
+  });
+}
+
+async function store(mode: IDBTransactionMode): Promise<IDBObjectStore> {
+  const opening = indexedDB.open('surefoot.studio', 1);
+  opening.onupgradeneeded = () => opening.result.createObjectStore(k_store);
+  return (await request(opening)).transaction(k_store, mode).objectStore(k_store);
+}
+
+/** Where storage is closed to us nothing is kept, and nothing is missed but that. */
+async function quietly<T>(body: () => Promise<T>): Promise<T | undefined> {
+  try {
+    return await body();
+  } catch {
+    return undefined;
+  }
+}
+
+export const keepWork = (work: KeptWork) => quietly(async () => request((await store('readwrite')).put(work, k_key)));
+export const forgetWork = () => quietly(async () => request((await store('readwrite')).delete(k_key)));
+export const keptWork = () => quietly(async () => request<KeptWork | undefined>((await store('readonly')).get(k_key)));
