@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 namespace surefoot::cli {
@@ -18,9 +19,11 @@ namespace surefoot::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+constexpr double k_metres_per_mm = 1e-3;
 
 struct Options {
     std::string source, out;
+    double error_mm = 0;
     bool json = false;
 };
 
@@ -41,14 +44,6 @@ Baked bake(const CharacterFile& file, const std::string& source) {
     if (pack_bytes(*read) != baked.bytes)
         throw Error("its pack does not come back as it was", source, "this is a fault of surefoot; report it");
     return baked;
-}
-
-std::size_t clip_bytes(const PackedClip& clip) {
-    std::size_t bytes = 0;
-    const auto add = [&](const auto& table) { bytes += table.size() * sizeof(table[0]); };
-    add(clip.rotations), add(clip.translations), add(clip.root);
-    for (const FootPrints& foot : clip.feet) add(foot.keys);
-    return bytes;
 }
 
 /// Rotation, translation and scale as floats, a joint and frame.
@@ -73,9 +68,13 @@ Json report_json(const CharacterFile& file, const Baked& baked) {
     for (const PackPart& part : baked.parts) report["parts"].push_back({{"name", part.name}, {"bytes", part.bytes}});
     for (std::size_t i = 0; i < program.body.clips.size(); ++i) {
         const PackedClip& clip = program.body.clips[i];
-        Json entry{{"name", clip.name},         {"frames", clip.frame_count},
-                   {"fps", clip.fps},           {"duration_s", clip.duration()},
-                   {"bytes", clip_bytes(clip)}, {"raw_bytes", raw_bytes(clip)},
+        Json entry{{"name", clip.name},
+                   {"frames", clip.frame_count},
+                   {"fps", clip.fps},
+                   {"duration_s", clip.duration()},
+                   {"bytes", memory_size(clip)},
+                   {"raw_bytes", raw_bytes(clip)},
+                   {"curves", !clip.small.empty()},
                    {"error_mm", nullptr}};
         if (i < file.packing.size()) entry["error_mm"] = file.packing[i].error * 1000;
         report["clips"].push_back(std::move(entry));
@@ -88,6 +87,13 @@ Json report_json(const CharacterFile& file, const Baked& baked) {
     report["styles"] = Json::array();
     for (const LocomotionStyle& style : program.body.styles) report["styles"].push_back(style.name);
     return report;
+}
+
+std::string total_line(const std::vector<PackedClip>& clips) {
+    std::size_t bytes = 0, raw = 0;
+    for (const PackedClip& clip : clips) bytes += memory_size(clip), raw += raw_bytes(clip);
+    return fmt::format("{:<24} {:>32} {:>5.1f}x\n", "all clips", bytes,
+                       static_cast<double>(raw) / static_cast<double>(bytes));
 }
 
 std::string report_text(const CharacterFile& file, const Baked& baked) {
@@ -107,11 +113,11 @@ std::string report_text(const CharacterFile& file, const Baked& baked) {
     for (std::size_t i = 0; i < program.body.clips.size(); ++i) {
         const PackedClip& clip = program.body.clips[i];
         text += fmt::format("{:<24} {:>6} {:>6g} {:>8.2f} {:>9} {:>5.1f}x {:>9}\n", clip.name, clip.frame_count,
-                            clip.fps, clip.duration(), clip_bytes(clip),
-                            static_cast<double>(raw_bytes(clip)) / static_cast<double>(clip_bytes(clip)),
+                            clip.fps, clip.duration(), memory_size(clip),
+                            static_cast<double>(raw_bytes(clip)) / static_cast<double>(memory_size(clip)),
                             i < file.packing.size() ? fmt::format("{:.3f}", file.packing[i].error * 1000) : "-");
     }
-    if (!program.body.clips.empty()) text += "\n";
+    if (!program.body.clips.empty()) text += total_line(program.body.clips) + "\n";
     for (const PackPart& part : baked.parts) text += fmt::format("{:<24} {:>9} bytes\n", part.name, part.bytes);
     return text + fmt::format("{:<24} {:>9} bytes, version {}\n", "in all", baked.bytes.size(), k_pack_version);
 }
@@ -120,7 +126,8 @@ int run(const Options& options) {
     if (!options.out.empty() && !is_pack_file(options.out))
         throw Error("'" + options.out + "' is not named " + k_pack_extension, "--output",
                     "only packs are written here");
-    const CharacterFile file = read_character_file(options.source);
+    const CharacterFile file =
+        read_character_file(options.source, {static_cast<float>(options.error_mm * k_metres_per_mm)});
     const Baked baked = bake(file, options.source);
     if (!options.out.empty())
         write_file(options.out, {reinterpret_cast<const char*>(baked.bytes.data()), baked.bytes.size()});
@@ -143,6 +150,11 @@ const Command k_bake{
                "(human), or a pack, to see what it holds")
             ->required();
         app.add_option("-o,--output", options->out, "The pack (.sfpack); without, only what it would hold is told");
+        app.add_option("--error", options->error_mm,
+                       "How far clips may be from their motions (0.1mm): they then keep curves instead of every frame")
+            ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"um", 0.001}, {"mm", 1.0}, {"cm", 10.0}},
+                                              CLI::AsNumberWithUnit::UNIT_REQUIRED))
+            ->check(CLI::Range(0.01, 100.0));
         app.add_flag("--json", options->json, "Tell it as JSON");
         return [options] { return run(*options); };
     }};

@@ -41,8 +41,12 @@ bool is_graph(const std::filesystem::path& path) {
 
 bool is_pack_file(const std::string& name) { return std::filesystem::path(name).extension() == k_pack_extension; }
 
-CharacterFile read_character_file(const std::string& name) {
-    if (is_pack_file(name)) return open_pack(name);
+CharacterFile read_character_file(const std::string& name, const BakeOptions& options) {
+    if (is_pack_file(name)) {
+        if (options.error > 0)
+            throw Error("its clips have been packed already", name, "bake the project or graph that it came from");
+        return open_pack(name);
+    }
     CharacterFile file;
     if (is_live_gait(name)) {
         LiveGait live = read_live_gait(name);
@@ -51,14 +55,14 @@ CharacterFile read_character_file(const std::string& name) {
     }
     std::vector<std::string> warnings;
     if (is_graph(name)) {
-        file.pack = load_graph(name, &warnings, &file.packing);
+        file.pack = load_graph(name, &warnings, &file.packing, options);
         warn(warnings);
         return file;
     }
     std::filesystem::path path = name;
     if (std::filesystem::is_directory(path)) path /= "project.json";
     const Project project = load_project(path, &warnings);
-    Character character = bake_character(project, path.parent_path());
+    Character character = bake_character(project, path.parent_path(), options);
     warn(warnings);
     warn(character.warnings);
     file.pack = to_pack(character);

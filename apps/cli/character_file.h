@@ -1,7 +1,7 @@
 #pragma once
 // Characters as the command line names them: a project, a graph beside one, a live gait, or a pack of any.
 
-#include <surefoot/pack/pack_clip.h>
+#include <surefoot/bake/character.h>
 #include <surefoot/pack_file/pack.h>
 
 #include <cstddef>
@@ -17,8 +17,8 @@ struct CharacterFile {
 };
 
 /// A folder of a project or its project.json, a graph file, a pack, or a live gait (live_gait.h), which becomes a graph
-/// of one node. Warnings go to standard error. Throws Error.
-CharacterFile read_character_file(const std::string& name);
+/// of one node. Warnings go to standard error. Throws Error. What has been packed already cannot take `options`.
+CharacterFile read_character_file(const std::string& name, const BakeOptions& options = {});
 
 /// True for what has the extension of packs.
 bool is_pack_file(const std::string& name);

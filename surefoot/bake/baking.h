@@ -22,6 +22,6 @@ std::size_t calmest(std::span<const Source> sources);
 /// Packs the sources (those of `used`, in its order) in parallel and joins them with the spaces. `body` is the calmest
 /// of them, measured: roles, legs and standing pose come from it.
 Character bake(const std::string& name, std::span<const Source> sources, std::span<const ProjectSpace> spaces,
-               const std::vector<std::int32_t>& used, const AnalyzedClip& body);
+               const std::vector<std::int32_t>& used, const AnalyzedClip& body, const BakeOptions& options);
 
 }  // namespace surefoot

@@ -71,9 +71,10 @@ std::vector<std::int32_t> used_clips(std::span<const ProjectSpace> spaces, std::
 }
 
 Character bake(const std::string& name, std::span<const Source> sources, std::span<const ProjectSpace> spaces,
-               const std::vector<std::int32_t>& used, const AnalyzedClip& body) {
+               const std::vector<std::int32_t>& used, const AnalyzedClip& body, const BakeOptions& given) {
     Character character;
     character.name = name;
+    character.options = given;
     character.skeleton = sources.front().motion->skeleton;
     take_body(character, body);
     std::vector<PackedClip> packed(sources.size());
@@ -83,6 +84,7 @@ Character bake(const std::string& name, std::span<const Source> sources, std::sp
         PackOptions options;
         options.along_travel = sources[i].along_travel;
         options.legs = &character.legs;
+        options.error = given.error;
         packed[i] = pack_clip(motion, *sources[i].facts, options, &character.packing[i]);
         packed[i].name = sources[i].facts->name.empty() ? motion.name : sources[i].facts->name;
     });
@@ -131,6 +133,7 @@ Character to_character(const Pack& pack) {
 
 std::int32_t add_clip(Character& character, const Motion& motion, const ClipFacts& facts) {
     PackOptions options;
+    options.error = character.options.error;
     options.steady_root = facts.cyclic;
     options.legs = facts.cyclic ? &character.legs : nullptr;
     PackReport report;
@@ -150,14 +153,14 @@ std::size_t calmest(std::span<const Source> sources) {
 }
 
 Character bake_character(std::span<const AnalyzedClip> clips, std::span<const ProjectSpace> spaces,
-                         const std::string& name) {
+                         const std::string& name, const BakeOptions& options) {
     const std::vector<std::int32_t> used = used_clips(spaces, clips.size());
     std::vector<Source> sources;
     for (const std::int32_t i : used) {
         const AnalyzedClip& clip = clips[static_cast<std::size_t>(i)];
         sources.push_back({&clip.motion, &clip.facts, moves_along_facing(spaces, i, clip.facts)});
     }
-    return bake(name, sources, spaces, used, clips[static_cast<std::size_t>(used[calmest(sources)])]);
+    return bake(name, sources, spaces, used, clips[static_cast<std::size_t>(used[calmest(sources)])], options);
 }
 
 }  // namespace surefoot

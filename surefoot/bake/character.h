@@ -15,6 +15,10 @@ namespace surefoot {
 
 struct AnalyzedClip;
 
+struct BakeOptions {
+    float error = 0;  ///< [m] how far clips may be from their motions: PackOptions::error
+};
+
 /// All that a runtime and its host need, plus what was learnt on the way.
 struct Character {
     std::string name;
@@ -24,6 +28,7 @@ struct Character {
     float hip_height = 0;             ///< [m] of the standing character
     std::vector<Transform> standing;  ///< model space: the first pose of the clip that stands most nearly still
     LocomotionGraph graph;
+    BakeOptions options;              ///< of graph.clips
     std::vector<ClipFacts> facts;     ///< of graph.clips, in the same order
     std::vector<PackReport> packing;  ///< the same
     std::vector<std::string> warnings;
@@ -31,14 +36,15 @@ struct Character {
 
 /// Loads the project's clips (those of its spaces) from `folder`, which holds the project file, and bakes them. Throws
 /// Error where a clip is missing, does not fit the skeleton, or the project has no space.
-Character bake_character(const Project& project, const std::filesystem::path& folder);
+Character bake_character(const Project& project, const std::filesystem::path& folder, const BakeOptions& options = {});
 
 /// The same from wherever the files are. `where` stands before their names in messages.
-Character bake_character(const Project& project, const ReadProjectFile& read, const std::string& where = {});
+Character bake_character(const Project& project, const ReadProjectFile& read, const std::string& where = {},
+                         const BakeOptions& options = {});
 
 /// The same from clips in memory; the spaces' `clips` index into `clips`.
 Character bake_character(std::span<const AnalyzedClip> clips, std::span<const ProjectSpace> spaces,
-                         const std::string& name = {});
+                         const std::string& name = {}, const BakeOptions& options = {});
 
 /// The same as a pack without a program, and back: what a host needs is in both.
 Pack to_pack(const Character& character);

@@ -32,12 +32,13 @@ Motion load_project_clip(const ProjectClip& clip, const ReadProjectFile& read, c
 
 }  // namespace
 
-Character bake_character(const Project& project, const std::filesystem::path& folder) {
+Character bake_character(const Project& project, const std::filesystem::path& folder, const BakeOptions& options) {
     return bake_character(
-        project, [&](const std::string& file) { return read_file(folder / file); }, (folder / "").string());
+        project, [&](const std::string& file) { return read_file(folder / file); }, (folder / "").string(), options);
 }
 
-Character bake_character(const Project& project, const ReadProjectFile& read, const std::string& where) {
+Character bake_character(const Project& project, const ReadProjectFile& read, const std::string& where,
+                         const BakeOptions& options) {
     const std::vector<std::int32_t> used = used_clips(project.spaces, project.clips.size());
     std::vector<Motion> motions(used.size());
     std::vector<std::string> warnings(used.size());
@@ -53,7 +54,7 @@ Character bake_character(const Project& project, const ReadProjectFile& read, co
             {&motions[i], &clip_at(i).facts, moves_along_facing(project.spaces, used[i], clip_at(i).facts)});
     const std::size_t calm = calmest(sources);
     const AnalyzedClip body = analyze_clip(motions[calm], clip_at(calm).file, 1, project.roles);
-    Character character = bake(project.name, sources, project.spaces, used, body);
+    Character character = bake(project.name, sources, project.spaces, used, body, options);
     for (std::string& warning : warnings)
         if (!warning.empty()) character.warnings.push_back(std::move(warning));
     return character;

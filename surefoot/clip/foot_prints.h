@@ -6,6 +6,7 @@
 // a standing foot is one constant frame, its print, whatever the clip's speed and turn.
 
 #include <surefoot/base/table.h>
+#include <surefoot/clip/curves.h>
 #include <surefoot/math/transform.h>
 
 #include <vector>
@@ -37,9 +38,21 @@ constexpr float foot_age(const FootStep& step, const FootStep& next, float elaps
            0.5f * next.stance * (t * t * (3 - 2 * t)) - swing * (t * t * u);
 }
 
+/// A foot in a clip's small form (packed_clip.h). Its age follows from its steps.
+struct FootCurves {
+    FootKey middle;
+    /// Numbers: the print's rotation from the middle (x y z; w >= 0 follows), its translation from it [m], the toes'
+    /// rotation.
+    Curves curves;
+};
+inline constexpr int k_foot_numbers = 9;
+
 struct FootPrints {
-    Table<FootKey> keys;          ///< one a frame; empty where the clip has none
+    Table<FootKey> keys;          ///< one a frame; empty where the clip has none, or keeps curves
+    FootCurves small;             ///< in their stead
     std::vector<FootStep> steps;  ///< one a cycle, the first from the strike of phase 0 (left) or 0.5 (right) on
+
+    bool known() const noexcept { return !keys.empty() || !small.curves.empty(); }
 };
 
 }  // namespace surefoot

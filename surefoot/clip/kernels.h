@@ -21,8 +21,13 @@ struct KeyPair {
 
 struct ClipKernels {
     const char* name;
-    /// Weighted sum of `count` key pairs, normalised; the rotation of joint j goes to out[j * stride] … + 3.
-    void (*blend_rotations)(const KeyPair* pairs, int count, int joints, float* out, std::size_t stride);
+    /// Weighted sum of `count` key pairs and of `sums` (null: nothing), normalised; the rotation of joint j goes to
+    /// out[j * stride] … + 3.
+    void (*blend_rotations)(const KeyPair* pairs, int count, const float* sums, int joints, float* out,
+                            std::size_t stride);
+    /// Adds the rotations of a clip in its small form to sums, [block][x8 y8 z8 w8] in units of 1 / 32767.
+    /// turns: [block][x8 y8 z8] from `middle`, [block][x8 y8 z8 w8].
+    void (*add_turns)(const float* turns, const std::int16_t* middle, int joints, float weight, float* sums);
     /// Eight characters, lane = character: locals[c] is [joint][qx qy qz qw tx ty tz]; models[c] receives
     /// [joint][3x4]. scratch: [joint][7][8].
     void (*local_to_model)(const std::int16_t* parents, int joints, const float* const* locals, float* const* models,

@@ -3,8 +3,8 @@
 
 namespace surefoot {
 
-const ClipKernels k_scalar_kernels{"scalar", blend_rotations<Scalar>, local_to_model<Scalar>};
-const ClipKernels k_baseline_kernels{"baseline", blend_rotations<Vector>, local_to_model<Vector>};
+const ClipKernels k_scalar_kernels{"scalar", blend_rotations<Scalar>, add_turns<Scalar>, local_to_model<Scalar>};
+const ClipKernels k_baseline_kernels{"baseline", blend_rotations<Vector>, add_turns<Vector>, local_to_model<Vector>};
 
 const ClipKernels& clip_kernels() noexcept {
 #if defined(SUREFOOT_HAS_KERNELS_X86_64)

@@ -16,13 +16,27 @@ SUREFOOT_INLINE Quat8<T> sum_block(const KeyPair* pairs, int count, int block) n
     return sum.rotations();
 }
 
+template <class T>
+SUREFOOT_INLINE Quat8<T> load_block(const float* sums, int block) noexcept {
+    using F = Float8<T>;
+    const float* from = sums + block * 32;
+    return {F::load(from), F::load(from + 8), F::load(from + 16), F::load(from + 24)};
+}
+
+template <class T>
+SUREFOOT_INLINE void add(const Quat8<T>& q, Quat8<T>& sum) noexcept {
+    sum.x += q.x;
+    sum.y += q.y;
+    sum.z += q.z;
+    sum.w += q.w;
+}
+
 // Where a joint turns more than half a revolution from rest, the signs of two clips need not agree: each leaf joins on
 // the side of the sum so far, and one of negative weight, which comes after those, on the other.
 template <class T>
-SUREFOOT_INLINE Quat8<T> sum_turning_block(const KeyPair* pairs, int count, int block) noexcept {
+SUREFOOT_INLINE Quat8<T> sum_turning_block(const KeyPair* pairs, int count, int block, Quat8<T> sum) noexcept {
     using F = Float8<T>;
     const F zero = F::splat(0);
-    Quat8<T> sum{zero, zero, zero, zero};
     for (int i = 0; i < count; ++i) {
         const Quat8<T> leaf = sum_block<T>(pairs + i, 1, block);
         const F towards = F::splat(pairs[i].weight < 0 ? -1.0f : 1.0f);
@@ -37,8 +51,9 @@ SUREFOOT_INLINE Quat8<T> sum_turning_block(const KeyPair* pairs, int count, int 
 }
 
 template <class T>
-void blend_rotations(const KeyPair* pairs, int count, int joints, float* out, std::size_t stride) {
+void blend_rotations(const KeyPair* pairs, int count, const float* sums, int joints, float* out, std::size_t stride) {
     using F = Float8<T>;
+    const F zero = F::splat(0);
     const int blocks = (joints + 7) / 8;
     bool may_turn = false;
     for (int i = 0; i < count; ++i) may_turn |= pairs[i].turning != nullptr;
@@ -46,7 +61,14 @@ void blend_rotations(const KeyPair* pairs, int count, int joints, float* out, st
         bool turns = false;
         if (may_turn)
             for (int i = 0; i < count; ++i) turns |= pairs[i].turning != nullptr && pairs[i].turning[block] != 0;
-        const Quat8<T> sum = turns ? sum_turning_block<T>(pairs, count, block) : sum_block<T>(pairs, count, block);
+        Quat8<T> sum{zero, zero, zero, zero};
+        if (turns) {
+            if (sums != nullptr) sum = load_block<T>(sums, block);
+            sum = sum_turning_block<T>(pairs, count, block, sum);
+        } else {
+            sum = sum_block<T>(pairs, count, block);
+            if (sums != nullptr) add<T>(load_block<T>(sums, block), sum);
+        }
         const F square = sum.x * sum.x + sum.y * sum.y + sum.z * sum.z + sum.w * sum.w;
         const F scale = rsqrt(max(square, F::splat(k_least_square)));
         const F quads[4] = {sum.x * scale, sum.y * scale, sum.z * scale, sum.w * scale};
@@ -60,6 +82,26 @@ void blend_rotations(const KeyPair* pairs, int count, int joints, float* out, st
             for (int lane = 0; lane < lanes; ++lane)
                 std::memcpy(to + static_cast<std::size_t>(lane) * stride, all + 4 * lane, 4 * sizeof(float));
         }
+    }
+}
+
+template <class T>
+void add_turns(const float* turns, const std::int16_t* middle, int joints, float weight, float* sums) {
+    using F = Float8<T>;
+    const F share = F::splat(weight);
+    for (int block = 0; block < (joints + 7) / 8; ++block) {
+        const float* turn = turns + block * 24;
+        const std::int16_t* from = middle + block * 32;
+        const F x = F::load(turn), y = F::load(turn + 8), z = F::load(turn + 16);
+        const F w = sqrt(max(1.0f - (x * x + y * y + z * z), F::splat(0)));
+        const Quat8<T> about{F::load_int16(from), F::load_int16(from + 8), F::load_int16(from + 16),
+                             F::load_int16(from + 24)};
+        const Quat8<T> q = multiply(about, Quat8<T>{x, y, z, w}), sum = load_block<T>(sums, block);
+        float* to = sums + block * 32;
+        (sum.x + share * q.x).store(to);
+        (sum.y + share * q.y).store(to + 8);
+        (sum.z + share * q.z).store(to + 16);
+        (sum.w + share * q.w).store(to + 24);
     }
 }
 

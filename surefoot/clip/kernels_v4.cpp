@@ -5,6 +5,6 @@
 
 namespace surefoot {
 
-const ClipKernels k_v4_kernels{"x86-64-v4", blend_rotations<Vector>, local_to_model<Vector>};
+const ClipKernels k_v4_kernels{"x86-64-v4", blend_rotations<Vector>, add_turns<Vector>, local_to_model<Vector>};
 
 }  // namespace surefoot

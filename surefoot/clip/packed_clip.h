@@ -2,7 +2,11 @@
 // The runtime form of a clip: 16-bit rotations in blocks of eight joints, the few translations that move, root motion
 // and phase apart. Immutable, shared by all characters. Made by pack/pack_clip.h, which also measures the error. What
 // grows with its frames lies in tables, which a copy of the clip shares.
+//
+// It has one of two forms. The fast one keeps every frame. The small one keeps curves (curves.h): a fifth of the
+// memory, while a pose costs about twice as much. Both blend with one another.
 
+#include <surefoot/clip/curves.h>
 #include <surefoot/clip/foot_prints.h>
 #include <surefoot/math/transform.h>
 
@@ -13,7 +17,20 @@
 
 namespace surefoot {
 
-inline constexpr int k_lanes = 8;  ///< joints a block
+inline constexpr int k_lanes = 8;                ///< joints a block
+inline constexpr int k_most_curve_joints = 512;  ///< of a clip in its small form
+
+/// Poses in the small form.
+struct PoseCurves {
+    /// [block][x8 y8 z8 w8], value = q * 32767: the rotation that each joint turns about, on the hemisphere of rest.
+    Table<std::int16_t> middle;
+    std::vector<Vec3> moving_middle;  ///< [moving joint] metres
+    /// Numbers: [block][x8 y8 z8], where middle * (x, y, z, sqrt(1 - x^2 - y^2 - z^2)) is the rotation; then
+    /// [moving joint][x y z], metres from the middle.
+    Curves curves;
+
+    bool empty() const noexcept { return curves.empty(); }
+};
 
 struct PackedClip {
     std::string name;
@@ -33,6 +50,8 @@ struct PackedClip {
     std::vector<std::int16_t> moving;
     /// [frame][moving joint] metres.
     Table<Vec3> translations;
+    /// The small form: then rotations, translations and the feet's keys are empty, and so is the root if it is steady.
+    PoseCurves small;
 
     /// [frame] relative to the first frame; within the clip continuous, over the cycle it accumulates `travel`. Clips
     /// packed for blending move steadily: root[f] is `velocity` and `turn_rate` integrated over f / fps, exactly, and
@@ -55,6 +74,18 @@ struct PackedClip {
     int block_count() const noexcept { return (joint_count + k_lanes - 1) / k_lanes; }
     float duration() const noexcept { return static_cast<float>(frame_count - 1) / fps; }
 };
+
+/// Index of a joint's x among the numbers of PoseCurves; y and z are k_lanes and 2 * k_lanes further.
+constexpr std::size_t turn_number(int joint) noexcept {
+    return static_cast<std::size_t>(joint / k_lanes * 3 * k_lanes + joint % k_lanes);
+}
+/// Index of a moving joint's x; y and z follow.
+inline std::size_t shift_number(const PackedClip& clip, std::size_t moving) noexcept {
+    return static_cast<std::size_t>(clip.block_count()) * 3 * k_lanes + 3 * moving;
+}
+
+/// [bytes] of memory that poses, root and feet take.
+std::size_t memory_size(const PackedClip& clip) noexcept;
 
 /// What is wrong with a packed clip (empty: nothing): array lengths, limits, order of the phase map.
 std::string problem(const PackedClip& clip);

@@ -6,6 +6,7 @@
 // function gives the same bits on every build, and the scalar twin (math/lanes.h) gives them too.
 
 #include <surefoot/clip/packed_clip.h>
+#include <surefoot/rig/leg.h>
 #include <surefoot/rig/skeleton.h>
 
 #include <span>
@@ -40,6 +41,12 @@ constexpr std::size_t model_scratch_floats(int joint_count) noexcept {
     return static_cast<std::size_t>(joint_count) * 7 * k_lanes;
 }
 
+/// Steady motion for a time: the root frame reached from the origin by a constant velocity in the root's own frame and
+/// a constant turn rate [rad/s].
+RootFrame integrate(Vec3 velocity, float turn_rate, float seconds) noexcept;
+
+/// Root motion within one pass, seen from the first frame: outside [0, duration] the nearest end.
+RootFrame root_within(const PackedClip& clip, float time) noexcept;
 /// Root motion of a clip at a time, seen from its first frame; beyond the ends of a cyclic clip it goes on.
 RootFrame clip_root(const PackedClip& clip, float time) noexcept;
 
@@ -52,6 +59,10 @@ inline float phase_in(const PackedClip& clip, float phase, std::uint32_t cycle) 
 }
 /// Time in [0, duration] at a phase, which counts cycles and may be any number.
 float time_at(const PackedClip& clip, float phase) noexcept;
+/// The same counted on over the ends of the clip, which has steps.
+float unwrapped_time(const PackedClip& clip, float phase) noexcept;
+/// Phase at which a side's step begins.
+constexpr float strike_phase(Side side) noexcept { return side == Side::left ? 0.0f : 0.5f; }
 /// Time and how fast it runs there: d(time)/d(phase) in seconds a cycle.
 struct PhaseTime {
     float time = 0;
@@ -59,7 +70,9 @@ struct PhaseTime {
 };
 PhaseTime phase_time(const PackedClip& clip, float phase) noexcept;
 
-/// A foot of the clip between its keys; the clip has some. Outside [0, duration] the nearest end.
-FootKey foot_key_at(const PackedClip& clip, const FootPrints& track, float time) noexcept;
+/// A foot of the clip, which knows them. Outside [0, duration] the nearest end.
+FootKey foot_key_at(const PackedClip& clip, Side side, float time) noexcept;
+/// Its age alone (foot_prints.h); 0 for a clip without steps.
+float foot_age_at(const PackedClip& clip, Side side, float time) noexcept;
 
 }  // namespace surefoot

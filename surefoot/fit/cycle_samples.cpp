@@ -96,7 +96,7 @@ FootSample foot_sample(const PackedClip& clip, const HarmonicGait& gait, std::si
         const float own = foot_series_phase(share, gait.foot_lift, clip.feet[side].steps[at(cycle)].lift);
         return time_at(clip, strike + static_cast<float>(cycle) + own);
     };
-    const FootKey key = foot_key_at(clip, clip.feet[side], time());
+    const FootKey key = foot_key_at(clip, static_cast<Side>(side), time());
     const LegPaths::Side& leg = gait.legs.side[side];
     return {key.print.rotation, key.toes, transform_point(key.print, leg.heel), transform_point(key.print, leg.ball)};
 }
@@ -112,7 +112,7 @@ PackedClip pack_for_fit(const AnalyzedClip& clip) {
     if (packed.cycles == 0 && !is_standing(packed))
         throw Error("it is no cycle of steps that alternate between the feet", "clip '" + clip.facts.name + "'",
                     "cut one cycle out of it: surefoot cut, or give the whole take");
-    if (packed.feet[0].keys.empty() || packed.feet[1].keys.empty())
+    if (!packed.feet[0].known() || !packed.feet[1].known())
         throw Error("its legs are not known", "clip '" + clip.facts.name + "'", "name their joints: --roles");
     return packed;
 }

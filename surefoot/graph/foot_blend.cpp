@@ -25,6 +25,7 @@ struct FootLeaf {
 struct FootLeaves {
     FootLeaf leaf[k_max_leaves];
     int count = 0;
+    Side side = Side::left;  ///< whose the tracks are
 
     std::span<FootLeaf> all() noexcept { return {leaf, static_cast<std::size_t>(count)}; }
     std::span<const FootLeaf> all() const noexcept { return {leaf, static_cast<std::size_t>(count)}; }
@@ -35,7 +36,7 @@ bool gather(std::span<const PackedClip> clips, const FootBlend& blend, FootLeave
     float weights = 0, says = 0;
     for (const Leaf& leaf : blend.leaves) {
         const PackedClip& clip = clips[static_cast<std::size_t>(leaf.clip)];
-        if (clip.feet[0].keys.empty() || clip.feet[1].keys.empty()) return false;
+        if (!clip.feet[0].known() || !clip.feet[1].known()) return false;
         constexpr float k_slowest = 1e-3f;  // [m/s] so that clips that stamp on the spot have a say among themselves
         const float speed = clip.cycles > 0 ? std::max(foot_speed(clip.velocity, clip.turn_rate), k_slowest) : 0.0f;
         FootLeaf& out = leaves.leaf[leaves.count++];
@@ -53,6 +54,7 @@ bool gather(std::span<const PackedClip> clips, const FootBlend& blend, FootLeave
 
 /// The leaves as one side sees them, which is in its step of that number.
 void turn_to(std::size_t side, std::uint32_t step, FootLeaves& leaves) noexcept {
+    leaves.side = static_cast<Side>(side);
     for (FootLeaf& leaf : leaves.all()) {
         leaf.track = &leaf.clip->feet[side];
         if (leaf.clip->cycles > 0) leaf.step = static_cast<int>(step % static_cast<std::uint32_t>(leaf.clip->cycles));
@@ -122,7 +124,7 @@ FootKey mean_key(const LegPaths::Side& leg, const FootLeaves& leaves, float stri
             const FootStep& step = leaf.track->steps[static_cast<std::size_t>(leaf.step)];
             time = time_at(*leaf.clip, strike + static_cast<float>(leaf.step) + own_share(step, share, duty));
         }
-        const FootKey key = foot_key_at(*leaf.clip, *leaf.track, time);
+        const FootKey key = foot_key_at(*leaf.clip, leaves.side, time);
         sole.add(transform_point(key.print, leg.heel), transform_point(key.print, leg.ball), leaf.weight,
                  leaf.clip->cycles > 0);
         add(mean.print.rotation, key.print.rotation, leaf.weight);

@@ -24,22 +24,6 @@ void lay_over(const LocomotionGraph& graph, const LocomotionFrame& frame, std::s
 
 }  // namespace
 
-RootFrame integrate(Vec3 velocity, float turn_rate, float seconds) noexcept {
-    const float angle = turn_rate * seconds;
-    float along, across;  // of the mean direction: sin(t)/t and (1 - cos t)/t
-    if (std::fabs(angle) < 0.05f) {
-        const float square = angle * angle;
-        along = 1.0f - square / 6.0f * (1.0f - square / 20.0f);
-        across = 0.5f * angle * (1.0f - square / 12.0f * (1.0f - square / 30.0f));
-    } else {
-        along = sin(angle) / angle;
-        across = (1.0f - cos(angle)) / angle;
-    }
-    return {{seconds * (velocity.x * along + velocity.z * across), seconds * velocity.y,
-             seconds * (velocity.z * along - velocity.x * across)},
-            angle};
-}
-
 LocomotionRequest approach(const LocomotionRequest& current, const LocomotionRequest& wanted, float dt,
                            const RequestRates& rates) noexcept {
     LocomotionRequest next = wanted;

@@ -171,8 +171,4 @@ void pose(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<
 /// Speed of the ground under a foot [m/s]: planar, and by turning [rad/s] at the lever of a foot.
 float foot_speed(Vec3 velocity, float turn_rate) noexcept;
 
-/// Steady motion for a time: the root frame reached from the origin by a constant velocity in the root's own frame and
-/// a constant turn rate [rad/s].
-RootFrame integrate(Vec3 velocity, float turn_rate, float seconds) noexcept;
-
 }  // namespace surefoot

@@ -21,7 +21,7 @@ inline constexpr int k_graph_version = 1;
 /// the graph file that names them. Throws Error with the file and the path to the node. Keys that are not known are
 /// reported in `warnings`, how well clips were packed in `packing`, in the order of the program's.
 Pack load_graph(const std::filesystem::path& file, std::vector<std::string>* warnings = nullptr,
-                std::vector<PackReport>* packing = nullptr);
+                std::vector<PackReport>* packing = nullptr, const BakeOptions& options = {});
 
 /// The same of a graph's text alone, for a character that is there already, whatever project the text names. `where`
 /// names the text in messages. Throws Error for what needs a folder: another graph, files in slots.

@@ -284,8 +284,8 @@ bool is_graph_text(std::string_view text) {
     return json.is_object() && json.contains(k_version_key);
 }
 
-Pack load_graph(const std::filesystem::path& file, std::vector<std::string>* warnings,
-                std::vector<PackReport>* packing) {
+Pack load_graph(const std::filesystem::path& file, std::vector<std::string>* warnings, std::vector<PackReport>* packing,
+                const BakeOptions& options) {
     const Json json = read_merged(file, 0);
     JsonNode root(json, file.string(), "", warnings);
     Gaits gaits(root);
@@ -296,7 +296,7 @@ Pack load_graph(const std::filesystem::path& file, std::vector<std::string>* war
         project_file = root.at("project").text();
         if (std::filesystem::is_directory(project_file)) project_file /= "project.json";
         project = load_project(project_file, warnings);
-        character = bake_character(project, project_file.parent_path());
+        character = bake_character(project, project_file.parent_path(), options);
     } else {
         character = character_of(*gaits.rigs().front());
     }

@@ -11,15 +11,6 @@ namespace {
 constexpr float k_usual_duty = 0.6f;
 constexpr float k_least_lift = 0.1f, k_most_lift = 0.9f;  // a stance outside is a mistake of the events
 
-float strike_phase(Side side) { return side == Side::left ? 0.0f : 0.5f; }
-
-/// Seconds at a phase, counted on over the ends of the clip.
-float time_of(const PackedClip& clip, float phase) {
-    const auto cycles = static_cast<float>(clip.cycles);
-    const float passes = std::floor((phase - clip.phase_map.front()[1]) / cycles);
-    return passes * clip.duration() + time_at(clip, phase);
-}
-
 /// Share of each step's phase at which the foot leaves the ground: by the last toe-off in it.
 std::vector<float> lifts(const PackedClip& clip, const ClipFacts& facts, Side side) {
     const float usual = facts.duty > 0 ? std::clamp(facts.duty, k_least_lift, k_most_lift) : k_usual_duty;
@@ -40,33 +31,23 @@ std::vector<float> lifts(const PackedClip& clip, const ClipFacts& facts, Side si
 std::vector<FootStep> make_steps(const PackedClip& clip, const ClipFacts& facts, Side side) {
     std::vector<FootStep> steps;
     for (const float lift : lifts(clip, facts, side)) {
-        const float strike = strike_phase(side) + static_cast<float>(steps.size()), from = time_of(clip, strike);
-        steps.push_back({lift, time_of(clip, strike + lift) - from, time_of(clip, strike + 1) - from});
+        const float strike = strike_phase(side) + static_cast<float>(steps.size()), from = unwrapped_time(clip, strike);
+        steps.push_back({lift, unwrapped_time(clip, strike + lift) - from, unwrapped_time(clip, strike + 1) - from});
     }
     return steps;
 }
 
-float age_of_frame(const PackedClip& clip, const std::vector<FootStep>& steps, Side side, float time) {
-    if (steps.empty()) return 0;
-    const float after = phase_at(clip, time) - strike_phase(side), whole = std::floor(after);
-    const std::size_t count = steps.size();
-    const std::size_t at = (static_cast<std::size_t>(static_cast<int>(whole) + clip.cycles)) % count;
-    const float strike = strike_phase(side) + whole;
-    return foot_age(steps[at], steps[(at + 1) % count], time_of(clip, strike + after - whole) - time_of(clip, strike));
-}
-
-FootPrints make_track(const PackedClip& clip, const Skeleton& skeleton, const Leg& leg, Side side,
-                      std::span<const Transform> locals, const ClipFacts& facts) {
+/// The clip's keys for a side; its steps are known.
+std::vector<FootKey> make_keys(const PackedClip& clip, const Skeleton& skeleton, const Leg& leg, Side side,
+                               std::span<const Transform> locals) {
     const std::size_t joints = skeleton.rest.size();
     std::vector<Transform> models(joints);
-    FootPrints track;
     std::vector<FootKey> keys;
-    if (clip.cycles > 0) track.steps = make_steps(clip, facts, side);
     for (int f = 0; f < clip.frame_count; ++f) {
         const std::span<const Transform> frame = locals.subspan(static_cast<std::size_t>(f) * joints, joints);
         local_to_model(skeleton, frame, models);
         FootKey key;
-        key.age = age_of_frame(clip, track.steps, side, static_cast<float>(f) / clip.fps);
+        key.age = foot_age_at(clip, side, static_cast<float>(f) / clip.fps);
         key.print = to_transform(integrate(clip.velocity, clip.turn_rate, key.age)) *
                     models[static_cast<std::size_t>(leg.foot)];
         if (leg.toes != k_no_joint) key.toes = frame[static_cast<std::size_t>(leg.toes)].rotation;
@@ -77,16 +58,18 @@ FootPrints make_track(const PackedClip& clip, const Skeleton& skeleton, const Le
         }
         keys.push_back(key);
     }
-    track.keys = std::move(keys);
-    return track;
+    return keys;
 }
 
 }  // namespace
 
-std::array<FootPrints, 2> make_foot_prints(const PackedClip& clip, const Skeleton& skeleton, const Legs& legs,
-                                           std::span<const Transform> locals, const ClipFacts& facts) {
-    return {make_track(clip, skeleton, legs[Side::left], Side::left, locals, facts),
-            make_track(clip, skeleton, legs[Side::right], Side::right, locals, facts)};
+void add_foot_prints(PackedClip& clip, const Skeleton& skeleton, const Legs& legs, std::span<const Transform> locals,
+                     const ClipFacts& facts) {
+    for (const Side side : {Side::left, Side::right}) {
+        FootPrints& foot = clip.feet[static_cast<std::size_t>(side)];
+        if (clip.cycles > 0) foot.steps = make_steps(clip, facts, side);
+        foot.keys = make_keys(clip, skeleton, legs[side], side, locals);
+    }
 }
 
 }  // namespace surefoot

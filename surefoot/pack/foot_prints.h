@@ -6,15 +6,14 @@
 #include <surefoot/rig/leg.h>
 #include <surefoot/rig/skeleton.h>
 
-#include <array>
 #include <span>
 
 namespace surefoot {
 
-/// Tracks of both feet. `clip` has its velocity, turn rate and phase map already; `locals` [frame * joints + joint] are
-/// its poses as seen from its steady root; `facts` tells when feet leave the ground (where it does not: after
-/// `facts.duty`, or 60 %, of a step). Clips without cycles get tracks of age 0.
-std::array<FootPrints, 2> make_foot_prints(const PackedClip& clip, const Skeleton& skeleton, const Legs& legs,
-                                           std::span<const Transform> locals, const ClipFacts& facts);
+/// Gives `clip` the tracks of both feet. It has its velocity, turn rate and phase map already; `locals` [frame * joints
+/// + joint] are its poses as seen from its steady root; `facts` tells when feet leave the ground (where it does not:
+/// after `facts.duty`, or 60 %, of a step). Clips without cycles get tracks of age 0.
+void add_foot_prints(PackedClip& clip, const Skeleton& skeleton, const Legs& legs, std::span<const Transform> locals,
+                     const ClipFacts& facts);
 
 }  // namespace surefoot

@@ -4,6 +4,7 @@
 #include <surefoot/graph/locomotion.h>
 #include <surefoot/pack/foot_prints.h>
 #include <surefoot/pack/pack_clip.h>
+#include <surefoot/pack/small_form.h>
 #include <surefoot/pack/steady_root.h>
 
 #include <algorithm>
@@ -133,6 +134,18 @@ Motion at_least_two_frames(Motion motion) {
 
 }  // namespace
 
+namespace {
+
+void keep_small(PackedClip& clip, const Motion& motion, std::span<const Transform> locals, const PackOptions& options) {
+    PackedClip steady = clip;
+    if (options.steady_root) steady.root = {};
+    const auto error = [&](const PackedClip& tried) { return measure_packing(motion, tried, options.legs).error; };
+    if (std::optional<PackedClip> small = small_form(steady, *motion.skeleton, locals, options.error, error))
+        clip = *std::move(small);
+}
+
+}  // namespace
+
 PackedClip pack_clip(const Motion& given, const ClipFacts& facts, const PackOptions& options, PackReport* report) {
     if (const std::string text = problem(given); !text.empty())
         throw Error(text, "clip '" + given.name + "'", "import the clip again");
@@ -164,9 +177,10 @@ PackedClip pack_clip(const Motion& given, const ClipFacts& facts, const PackOpti
     pack_translations(clip, *motion.skeleton, locals, options.moving_translation);
     pack_phase(clip, facts);
     if (options.legs != nullptr && options.legs->known() && options.steady_root)
-        clip.feet = make_foot_prints(clip, *motion.skeleton, *options.legs, locals, facts);
+        add_foot_prints(clip, *motion.skeleton, *options.legs, locals, facts);
+    if (options.error > 0) keep_small(clip, motion, locals, options);
     if (report != nullptr) {
-        *report = measure_packing(motion, clip);
+        *report = measure_packing(motion, clip, options.legs);
         for (const RootFrame& deviation : steady.deviation) {
             report->root_deviation = std::max(report->root_deviation, length(deviation.position));
             report->root_deviation_yaw = std::max(report->root_deviation_yaw, std::fabs(deviation.yaw));
@@ -175,7 +189,27 @@ PackedClip pack_clip(const Motion& given, const ClipFacts& facts, const PackOpti
     return clip;
 }
 
-PackReport measure_packing(const Motion& given, const PackedClip& clip) {
+namespace {
+
+/// The largest distance between where two transforms put a joint's virtual vertices.
+float vertex_distance(const Transform& a, const Transform& b) {
+    float most = 0;
+    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+        const Vec3 vertex = axis * k_virtual_vertex_distance;
+        most = std::max(most, distance(transform_point(a, vertex), transform_point(b, vertex)));
+    }
+    return most;
+}
+
+/// Where a clip's print says that a foot is at a time, as seen from its root.
+Transform foot_by_print(const PackedClip& clip, Side side, float time) {
+    const FootKey key = foot_key_at(clip, side, time);
+    return inverse(to_transform(integrate(clip.velocity, clip.turn_rate, key.age))) * key.print;
+}
+
+}  // namespace
+
+PackReport measure_packing(const Motion& given, const PackedClip& clip, const Legs* legs) {
     const Motion motion = at_least_two_frames(given);
     const Skeleton& skeleton = *motion.skeleton;
     const std::size_t joints = skeleton.rest.size();
@@ -183,27 +217,26 @@ PackReport measure_packing(const Motion& given, const PackedClip& clip) {
     PackReport report;
     const RootFrame shift = between(clip.start, RootFrame{});  // lays the motion's first root frame at the origin
     for (int f = 0; f < clip.frame_count; ++f) {
+        const float time = static_cast<float>(f) / clip.fps;
         local_to_model(skeleton, motion.frame(f), wanted);
-        const Leaf leaf{0, static_cast<float>(f) / clip.fps, 1};
+        const Leaf leaf{0, time, 1};
         sample_pose(skeleton, {&clip, 1}, {&leaf, 1}, locals);
         local_to_model(skeleton, locals, got);
         const Transform wanted_root = to_transform(between(motion.root[0], motion.root[static_cast<std::size_t>(f)]));
-        const Transform got_root = to_transform(shift * clip.root[static_cast<std::size_t>(f)]);
-        for (std::size_t j = 0; j < joints; ++j) {
-            const Transform a = wanted_root * wanted[j], b = got_root * got[j];
-            for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-                const Vec3 vertex = axis * k_virtual_vertex_distance;
-                const float error = distance(transform_point(a, vertex), transform_point(b, vertex));
-                if (error > report.error) {
-                    report.error = error;
-                    report.error_frame = f;
-                    report.error_joint = static_cast<int>(j);
-                }
-            }
-        }
+        const Transform got_root = to_transform(shift * root_within(clip, time));
+        const auto note = [&](std::size_t joint, const Transform& model) {
+            const float error = vertex_distance(wanted_root * wanted[joint], got_root * model);
+            if (error <= report.error) return;
+            report.error = error;
+            report.error_frame = f;
+            report.error_joint = static_cast<int>(joint);
+        };
+        for (std::size_t j = 0; j < joints; ++j) note(j, got[j]);
+        for (const Side side : {Side::left, Side::right})
+            if (legs != nullptr && clip.feet[static_cast<std::size_t>(side)].known())
+                note(static_cast<std::size_t>((*legs)[side].foot), foot_by_print(clip, side, time));
     }
-    report.bytes = clip.rotations.size() * sizeof(std::int16_t) + clip.translations.size() * sizeof(Vec3) +
-                   2 * clip.feet[0].keys.size() * sizeof(FootKey);
+    report.bytes = memory_size(clip);
     report.raw_bytes = motion.locals.size() * 40;
     return report;
 }

@@ -23,15 +23,18 @@ struct PackOptions {
     /// The character's legs: the clip then knows where its feet stand (clip/foot_prints.h). Null, or a root that is not
     /// steady: it does not, and its blends have no feet of their own.
     const Legs* legs = nullptr;
+    /// [m] How far the clip may be from the motion (PackReport::error): it is then kept in the small form where there
+    /// is one within that (small_form.h). 0: every frame is kept.
+    float error = 0;
 };
 
 struct PackReport {
-    float error = 0;      ///< [m] largest displacement of a virtual vertex
+    float error = 0;      ///< [m] largest displacement of a virtual vertex, of pose and footprints
     int error_frame = 0;  ///< where
     int error_joint = 0;
     float root_deviation = 0;      ///< [m] largest distance between the steady root and the motion's own
     float root_deviation_yaw = 0;  ///< [rad] the same for headings
-    std::size_t bytes = 0;         ///< of the packed poses
+    std::size_t bytes = 0;         ///< of memory (memory_size)
     std::size_t raw_bytes = 0;     ///< 40 bytes a joint and frame: rotation, translation, scale as floats
 };
 
@@ -41,7 +44,8 @@ inline constexpr float k_virtual_vertex_distance = 0.03f;  ///< [m] skin and sho
 PackedClip pack_clip(const Motion& motion, const ClipFacts& facts, const PackOptions& options = {},
                      PackReport* report = nullptr);
 
-/// Measures a packed clip against the motion it was made from (world poses, the first frame's root at the origin).
-PackReport measure_packing(const Motion& motion, const PackedClip& clip);
+/// Measures a packed clip against the motion it was made from (world poses, the first frame's root at the origin), and
+/// with `legs` its footprints, too.
+PackReport measure_packing(const Motion& motion, const PackedClip& clip, const Legs* legs = nullptr);
 
 }  // namespace surefoot

@@ -13,10 +13,15 @@ SUREFOOT_FIELDS(Transform, rotation, translation)
 SUREFOOT_FIELDS(RootFrame, position, yaw)
 
 // Clips. Their keys (base/table.h) lie in the tables.
+SUREFOOT_FIELDS(CurveGroup, intervals, curves, key_bytes)
+SUREFOOT_FIELDS(Curves, number_count, periodic, groups, numbers, steps, words, bytes)
+SUREFOOT_FIELDS(PoseCurves, middle, moving_middle, curves)
+SUREFOOT_FIELDS(FootKey, print, toes, age)
+SUREFOOT_FIELDS(FootCurves, middle, curves)
 SUREFOOT_FIELDS(FootStep, lift, stance, duration)
-SUREFOOT_FIELDS(FootPrints, keys, steps)
+SUREFOOT_FIELDS(FootPrints, keys, small, steps)
 SUREFOOT_FIELDS(PackedClip, name, fps, frame_count, joint_count, cyclic, rotations, turning_blocks, moving,
-                translations, root, start, travel, velocity, turn_rate, phase_map, cycles, feet)
+                translations, small, root, start, travel, velocity, turn_rate, phase_map, cycles, feet)
 
 // Spaces.
 SUREFOOT_FIELDS(Axis, name, unit, low, high, wraps)

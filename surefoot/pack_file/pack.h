@@ -27,7 +27,7 @@
 namespace surefoot {
 
 /// What this library writes, and all that it reads: packs are made anew from their sources, not carried along.
-inline constexpr std::uint32_t k_pack_version = 1;
+inline constexpr std::uint32_t k_pack_version = 2;
 /// Of the bytes given to `open`: the least, and what a game should give so that keyframes lie in whole cache lines.
 inline constexpr std::size_t k_least_pack_alignment = 4, k_pack_alignment = 64;
 

@@ -2,6 +2,7 @@
 
 #include <surefoot/pack_file/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -11,13 +12,13 @@ namespace {
 
 bool is_unit(Quat q) noexcept { return std::fabs(dot(q, q) - 1) < 1e-2f; }
 
-/// Keys that a blend can be normalised from. Idle lanes of the last block are nobody's.
-bool are_rotations(const PackedClip& clip) {
+/// Keys ([key][block][x8 y8 z8 w8]) that a blend can be normalised from. Idle lanes of the last block are nobody's.
+bool are_rotations(std::span<const std::int16_t> keys, const PackedClip& clip) {
     constexpr float k_unit = 32767.0f * 32767.0f;
     const auto width = static_cast<std::size_t>(clip.block_count()) * 4 * k_lanes;
-    for (std::size_t frame = 0; frame < static_cast<std::size_t>(clip.frame_count); ++frame)
+    for (std::size_t at = 0; at < keys.size(); at += width)
         for (std::size_t j = 0; j < static_cast<std::size_t>(clip.joint_count); ++j) {
-            const std::int16_t* key = clip.rotations.data() + frame * width + j / k_lanes * 4 * k_lanes + j % k_lanes;
+            const std::int16_t* key = keys.data() + at + j / k_lanes * 4 * k_lanes + j % k_lanes;
             float square = 0;
             for (std::size_t c = 0; c < 4; ++c) {
                 const float value = key[c * k_lanes];
@@ -27,19 +28,19 @@ bool are_rotations(const PackedClip& clip) {
         }
     return true;
 }
-bool are_rotations(const FootPrints& foot) {
-    for (const FootKey& key : foot.keys)
-        if (!is_unit(key.print.rotation) || !is_unit(key.toes)) return false;
-    return true;
-}
+bool is_rotation(const FootKey& key) noexcept { return is_unit(key.print.rotation) && is_unit(key.toes); }
 
 /// Each table once: clips may share theirs.
 std::string problem_of_keys(const std::vector<PackedClip>& clips) {
     std::set<const void*> seen;
     for (const PackedClip& clip : clips) {
-        bool fine = !seen.insert(clip.rotations.data()).second || are_rotations(clip);
-        for (const FootPrints& foot : clip.feet)
-            fine = fine && (!seen.insert(foot.keys.data()).second || are_rotations(foot));
+        bool fine = are_rotations(clip.small.middle, clip);
+        if (seen.insert(clip.rotations.data()).second) fine = fine && are_rotations(clip.rotations, clip);
+        for (const FootPrints& foot : clip.feet) {
+            fine = fine && is_rotation(foot.small.middle);
+            if (seen.insert(foot.keys.data()).second)
+                fine = fine && std::all_of(foot.keys.begin(), foot.keys.end(), is_rotation);
+        }
         if (!fine) return "clip '" + clip.name + "' has a key that is no rotation";
     }
     return {};

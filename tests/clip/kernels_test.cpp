@@ -37,10 +37,35 @@ TEST(ClipKernels, every_build_blends_to_the_scalar_twins_bits) {
                              k_whole_share - share, share, random.unit() * (i == 3 ? -0.1f : 1.0f) / k_whole_share});
         }
         std::vector<float> wanted(static_cast<std::size_t>(joints) * 7, -1.0f);
-        k_scalar_kernels.blend_rotations(pairs.data(), 4, joints, wanted.data(), 7);
+        k_scalar_kernels.blend_rotations(pairs.data(), 4, nullptr, joints, wanted.data(), 7);
         for (const ClipKernels* kernels : builds()) {
             std::vector<float> got(wanted.size(), -1.0f);
-            kernels->blend_rotations(pairs.data(), 4, joints, got.data(), 7);
+            kernels->blend_rotations(pairs.data(), 4, nullptr, joints, got.data(), 7);
+            EXPECT_EQ(std::memcmp(got.data(), wanted.data(), got.size() * sizeof(float)), 0)
+                << kernels->name << ", " << joints << " joints";
+        }
+    }
+}
+
+TEST(ClipKernels, every_build_adds_turns_and_blends_them_to_the_scalar_twins_bits) {
+    Random random(5);
+    for (const int joints : {1, 8, 23, 67}) {
+        const std::size_t blocks = static_cast<std::size_t>((joints + 7) / 8);
+        std::vector<std::int16_t> middle(blocks * 32);
+        for (std::int16_t& x : middle) x = static_cast<std::int16_t>(static_cast<int>(random.below(65535)) - 32767);
+        std::vector<float> turns(blocks * 24), sums(blocks * 32);
+        for (float& x : turns) x = random.between(-0.7f, 0.7f);  // some longer than one
+        for (float& x : sums) x = random.between(-1, 1);
+        const KeyPair pair{middle.data(), middle.data(), nullptr, 0, k_whole_share, 0.4f / k_whole_share};
+        const auto blended = [&](const ClipKernels& kernels) {
+            std::vector<float> added = sums, out(static_cast<std::size_t>(joints) * 7, -1.0f);
+            kernels.add_turns(turns.data(), middle.data(), joints, 0.6f, added.data());
+            kernels.blend_rotations(&pair, 1, added.data(), joints, out.data(), 7);
+            return out;
+        };
+        const std::vector<float> wanted = blended(k_scalar_kernels);
+        for (const ClipKernels* kernels : builds()) {
+            const std::vector<float> got = blended(*kernels);
             EXPECT_EQ(std::memcmp(got.data(), wanted.data(), got.size() * sizeof(float)), 0)
                 << kernels->name << ", " << joints << " joints";
         }
@@ -54,11 +79,11 @@ TEST(ClipKernels, keys_at_the_ends_of_their_range_blend_without_overflow) {
         for (const auto* keys : {&low, &high}) {
             const KeyPair pair{keys->data(), keys->data(), nullptr, k_whole_share - share, share, 1.0f / k_whole_share};
             float wanted[8 * 7] = {};
-            k_scalar_kernels.blend_rotations(&pair, 1, 8, wanted, 7);
+            k_scalar_kernels.blend_rotations(&pair, 1, nullptr, 8, wanted, 7);
             EXPECT_EQ(wanted[0], keys == &low ? -0.5f : 0.5f);
             for (const ClipKernels* kernels : builds()) {
                 float got[8 * 7] = {};
-                kernels->blend_rotations(&pair, 1, 8, got, 7);
+                kernels->blend_rotations(&pair, 1, nullptr, 8, got, 7);
                 EXPECT_EQ(std::memcmp(got, wanted, sizeof got), 0) << kernels->name << ", share " << share;
             }
         }
@@ -84,7 +109,7 @@ TEST(ClipKernels, shares_of_15_bits_cost_less_than_keys_of_16) {
         const auto share = static_cast<std::int32_t>(wanted_share * k_whole_share + 0.5f);
         const KeyPair pair{keys[0], keys[1], nullptr, k_whole_share - share, share, 1.0f / k_whole_share};
         float got[8 * 7];
-        clip_kernels().blend_rotations(&pair, 1, 8, got, 7);
+        clip_kernels().blend_rotations(&pair, 1, nullptr, 8, got, 7);
         double wanted[4], square = 0;
         for (int k = 0; k < 4; ++k) {
             wanted[k] = keys[0][8 * k] + static_cast<double>(wanted_share) * (keys[1][8 * k] - keys[0][8 * k]);

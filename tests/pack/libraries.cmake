@@ -1,2 +1,2 @@
-# Real clips come through the readers.
-target_link_libraries(test_pack PRIVATE surefoot::room_io)
+# Real clips come through the readers, made ones from the generator.
+target_link_libraries(test_pack PRIVATE surefoot::room_io surefoot::room_synthetic)

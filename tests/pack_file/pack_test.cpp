@@ -91,10 +91,18 @@ TEST(Pack, keyframes_are_pointed_at_where_they_lie_and_stored_once) {
         const auto* at = reinterpret_cast<const std::byte*>(table.data());
         return at >= whole_bytes().data() && at < whole_bytes().data() + whole_bytes().size();
     };
+    int small = 0;
     for (const PackedClip& clip : pack.graph().clips) {
+        if (!clip.small.empty()) {
+            ++small;
+            EXPECT_TRUE(inside(clip.small.middle)) << clip.name;
+            EXPECT_TRUE(inside(clip.small.curves.words)) << clip.name;
+            continue;
+        }
         EXPECT_TRUE(inside(clip.rotations)) << clip.name;
         EXPECT_TRUE(inside(clip.root)) << clip.name;
     }
+    EXPECT_EQ(small, 1);
     Pack twice = whole();
     for (const PackedClip& clip : whole().graph().clips) twice.program.body.clips.push_back(clip);
     const std::size_t more = pack_bytes(twice).size() - whole_bytes().size();
@@ -144,7 +152,7 @@ TEST(Pack, says_what_is_wrong_at_which_byte_and_what_to_do) {
     EXPECT_EQ(why_after(put(0, std::uint32_t{0x46546c67})),
               "byte 0: it does not begin like a pack; make one with `surefoot bake`, and read it as binary");
     EXPECT_EQ(why_after(put(8, std::uint32_t{3})),
-              "byte 8: it is a pack of version 3, and this library reads 1; bake it again");
+              "byte 8: it is a pack of version 3, and this library reads 2; bake it again");
     EXPECT_EQ(why_after([](auto& bytes) { bytes.pop_back(); }),
               "byte 16: it should be " + std::to_string(whole_bytes().size()) + " bytes long and has " +
                   std::to_string(whole_bytes().size() - 1) + "; read the whole file and nothing else");
@@ -181,6 +189,24 @@ TEST(Pack, refuses_definitions_that_make_no_sense) {
                   p.program.body.clips[0].rotations.edit([](auto& keys) { std::fill(keys.begin(), keys.end(), 0); });
               }),
               "clip 'idle' has a key that is no rotation");
+    const auto jog = [](Pack& p) -> PackedClip& {
+        return p.program.body.clips[static_cast<std::size_t>(p.clip("jog"))];
+    };
+    EXPECT_EQ(why([&](Pack& p) { jog(p).small.curves.numbers[3] = 60000; }),
+              "clip 'jog' has a curve of a number that is not there");
+    EXPECT_EQ(why([&](Pack& p) { jog(p).small.curves.groups[0].intervals += 1; }),
+              "clip 'jog' has curves that do not match their keys");
+    EXPECT_EQ(why([&](Pack& p) { jog(p).small.moving_middle.clear(); }),
+              "clip 'jog' has curves that do not match its joints");
+    EXPECT_EQ(why([&](Pack& p) { jog(p).feet[1].small.curves.number_count = 8; }),
+              "clip 'jog' has footprint curves that do not match it");
+    EXPECT_EQ(why([&](Pack& p) {
+                  jog(p).feet[0].small.middle.toes = {0, 0, 0, 0};
+              }),
+              "clip 'jog' has a key that is no rotation");
+    EXPECT_EQ(
+        why([&](Pack& p) { jog(p).small.middle.edit([](auto& keys) { std::fill(keys.begin(), keys.end(), 0); }); }),
+        "clip 'jog' has a key that is no rotation");
     EXPECT_EQ(why([](Pack& p) { p.program.body.facing.clips[0] = 99; }),
               "space 'facing' names a clip that is not there");
     const auto ends = [](const std::string& text, const std::string& end) {
@@ -192,7 +218,7 @@ TEST(Pack, refuses_definitions_that_make_no_sense) {
     ends(why([](Pack& p) { p.program.parameters[0].kind = static_cast<ParameterKind>(9); }),
          " names a choice that is not known");
     ends(why([](Pack& p) {
-             p.program.body.clips[1].root.edit(
+             p.program.body.clips[2].root.edit(
                  [](auto& root) { root[1].yaw = std::numeric_limits<float>::quiet_NaN(); });
          }),
          " names a table with what is no number, or too large a one");
