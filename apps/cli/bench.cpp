@@ -74,23 +74,45 @@ struct Actors {
     std::vector<RootFrame> roots;
     std::vector<Transform> locals;
     std::vector<Matrix34> matrices;
+    std::vector<CrowdFeet> feet;
+    HeightField hills = make_hills();
     CrowdScratch scratch;
     std::uint32_t frame = 0;
 
-    Actors(const LocomotionGraph& graph_, std::size_t count, bool wants_locals, bool wants_matrices)
+    struct Wants {
+        bool locals = false, matrices = false, feet = false;
+    };
+    Actors(const LocomotionGraph& graph_, std::size_t count, Wants wants)
         : graph(graph_), states(count), wishes(count), roots(count), scratch(graph) {
         const std::size_t joints = graph.skeleton->rest.size();
-        if (wants_locals) locals.resize(count * joints);
-        if (wants_matrices) matrices.resize(count * joints);
-        for (std::size_t c = 0; c < count; ++c) states[c].phase = 0.01f * static_cast<float>(c % 97);
+        if (wants.locals) locals.resize(count * joints);
+        if (wants.matrices) matrices.resize(count * joints);
+        if (wants.feet) feet.resize(count);
+        for (std::size_t c = 0; c < count; ++c) {
+            states[c].phase = 0.01f * static_cast<float>(c % 97);
+            roots[c] = {{static_cast<float>(c % 41) - 20, 0, static_cast<float>(c % 71)},
+                        0.1f * static_cast<float>(c % 63)};
+        }
     }
     void step() {
-        for (std::size_t c = 0; c < wishes.size(); ++c) wishes[c] = wish(c, frame);
+        for (std::size_t c = 0; c < wishes.size(); ++c) {
+            wishes[c] = wish(c, frame);
+            keep_on_hills(roots[c].position);
+        }
         Crowd crowd{states, wishes, roots};
         crowd.frame = frame++;
         crowd.locals = locals;
         crowd.matrices = matrices;
+        if (!feet.empty()) crowd.ground = &hills;
+        crowd.feet = feet;
         evaluate(graph, crowd, {0, states.size()}, k_dt, scratch);
+    }
+
+  private:
+    static void keep_on_hills(Vec3& place) {
+        if (std::fabs(place.x) > 28) place.x = -place.x;
+        if (place.z > 88) place.z -= 90;
+        if (place.z < -8) place.z += 90;
     }
 };
 
@@ -123,15 +145,19 @@ constexpr const char *k_multiply_adds = "16 000 multiply-adds", *k_writes = "wri
 std::vector<Row> measured(const Character& character, const Options& options) {
     const LocomotionGraph& graph = character.graph;
     std::vector<Row> rows;
-    const auto crowd = [&](const std::string& name, std::size_t count, bool locals, bool matrices) {
-        auto actors = std::make_shared<Actors>(graph, count, locals, matrices);
+    const auto crowd = [&](const std::string& name, std::size_t count, Actors::Wants wants) {
+        auto actors = std::make_shared<Actors>(graph, count, wants);
         rows.push_back({name, static_cast<double>(count), [actors] { actors->step(); }, {}});
     };
     constexpr std::size_t k_stage_crowd = 104;
-    crowd("update alone", k_stage_crowd, false, false);
-    crowd("update and pose", k_stage_crowd, true, false);
+    crowd("update alone", k_stage_crowd, {});
+    crowd("update and pose", k_stage_crowd, {.locals = true});
     for (const std::size_t count : options.crowds)
-        crowd(fmt::format("update, pose, matrices: crowd of {}", count), count, false, true);
+        crowd(fmt::format("update, pose, matrices: crowd of {}", count), count, {.matrices = true});
+    if (character.legs.known())
+        for (const std::size_t count : options.crowds)
+            crowd(fmt::format("the same with feet on hills: crowd of {}", count), count,
+                  {.matrices = true, .feet = true});
     if (character.legs.known()) {
         auto hero = std::make_shared<Hero>(character);
         rows.push_back({"one with its feet on hills, looking ahead", 1, [hero] { hero->step(); }, {}});

@@ -1,5 +1,7 @@
 #include <surefoot/crowd/crowd.h>
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <memory>
 
@@ -7,6 +9,11 @@ namespace surefoot {
 namespace {
 
 constexpr std::size_t k_eight = k_lanes, k_alignment = 64;
+
+/// [frames] that a character's pose lasts.
+std::size_t period(const Crowd& crowd, std::size_t character) noexcept {
+    return crowd.periods.empty() ? 1 : std::max<std::size_t>(crowd.periods[character], 1);
+}
 
 /// a * b as rigid or affine matrices.
 void multiply(const Matrix34& a, const Matrix34& b, Matrix34& out) noexcept {
@@ -23,34 +30,29 @@ void multiply(const Matrix34& a, const Matrix34& b, Matrix34& out) noexcept {
 /// Gathers characters that are due until eight are together.
 class CrowdLanes {
   public:
-    CrowdLanes(const LocomotionGraph& graph, const Crowd& crowd, CrowdScratch& scratch) noexcept
-        : graph_(graph), crowd_(crowd), scratch_(scratch), joints_(graph.skeleton->rest.size()) {}
+    CrowdLanes(const LocomotionGraph& graph, const Crowd& crowd, float dt, CrowdScratch& scratch) noexcept
+        : graph_(graph),
+          crowd_(crowd),
+          scratch_(scratch),
+          joints_(graph.skeleton->rest.size()),
+          dt_(dt),
+          lays_feet_(crowd.ground != nullptr && !crowd.feet.empty()) {}
 
     void add(std::size_t character, const LocomotionFrame& frame) noexcept {
         const std::span<Transform> mine =
             crowd_.locals.empty() ? of(scratch_.locals_, count_) : crowd_.locals.subspan(character * joints_, joints_);
-        pose(graph_, frame, mine);
-        if (crowd_.matrices.empty()) return;
-        from_[count_] = mine.data();
-        to_[count_] = crowd_.matrices.data() + character * joints_;
+        if (lays_feet_)
+            scratch_.frames_[count_] = frame;
+        else
+            pose(graph_, frame, mine);
+        character_[count_] = character;
+        pose_[count_] = mine.data();
         if (++count_ == k_eight) flush();
     }
     void flush() noexcept {
         if (count_ == 0) return;
-        for (std::size_t idle = count_; idle < k_eight; ++idle) {
-            from_[idle] = from_[0];
-            to_[idle] = scratch_.idle_.data();
-        }
-        void* models = scratch_.models_.data();
-        std::size_t space = scratch_.models_.size() * sizeof(float);
-        std::align(k_alignment, sizeof(float), models, space);
-        local_to_model_8(*graph_.skeleton, from_, to_, static_cast<float*>(models));
-        if (!crowd_.inverse_bind.empty())
-            for (std::size_t lane = 0; lane < count_; ++lane)
-                for (std::size_t j = 0; j < joints_; ++j) {
-                    const Matrix34 model = to_[lane][j];
-                    multiply(model, crowd_.inverse_bind[j], to_[lane][j]);
-                }
+        if (lays_feet_) lay_feet();
+        if (!crowd_.matrices.empty()) write_matrices();
         count_ = 0;
     }
 
@@ -58,30 +60,81 @@ class CrowdLanes {
     std::span<Transform> of(std::vector<Transform>& poses, std::size_t lane) const noexcept {
         return {poses.data() + lane * joints_, joints_};
     }
+    void lay_feet() noexcept {
+        std::array<CrowdFeetStep, k_eight> steps;
+        std::array<bool, k_eight> known;
+        std::array<GroundQuery, 2 * k_eight> queries;
+        std::array<GroundHit, 2 * k_eight> hits;
+        std::array<std::size_t, k_eight + 1> first{};
+        for (std::size_t lane = 0; lane < count_; ++lane) {
+            const std::size_t c = character_[lane];
+            known[lane] = steps[lane].plan(graph_.legs, graph_.clips, foot_blend_of(scratch_.frames_[lane]));
+            first[lane + 1] = first[lane];
+            if (known[lane])
+                first[lane + 1] += static_cast<std::size_t>(steps[lane].ask(graph_.legs, crowd_.feet[c],
+                                                                            crowd_.roots[c], crowd_.feet_settings,
+                                                                            std::span(queries).subspan(first[lane])));
+        }
+        const std::size_t count = first[count_];
+        crowd_.ground->query(std::span(queries).first(count), std::span(hits).first(count));
+        for (std::size_t lane = 0; lane < count_; ++lane) {
+            const std::size_t c = character_[lane];
+            const std::span<Transform> locals{pose_[lane], joints_};
+            const LocomotionFrame& frame = scratch_.frames_[lane];
+            if (!known[lane]) {
+                pose(graph_, frame, locals);
+                continue;
+            }
+            pose_without_feet(graph_, frame, locals);
+            steps[lane].place(graph_.legs, crowd_.feet[c], crowd_.roots[c], std::span(hits).subspan(first[lane]),
+                              dt_ * static_cast<float>(period(crowd_, c)), crowd_.feet_settings, locals);
+        }
+    }
+    void write_matrices() noexcept {
+        const Transform* from[k_lanes];
+        Matrix34* to[k_lanes];
+        for (std::size_t lane = 0; lane < k_eight; ++lane) {
+            const bool idle = lane >= count_;
+            from[lane] = pose_[idle ? 0 : lane];
+            to[lane] = idle ? scratch_.idle_.data() : crowd_.matrices.data() + character_[lane] * joints_;
+        }
+        void* models = scratch_.models_.data();
+        std::size_t space = scratch_.models_.size() * sizeof(float);
+        std::align(k_alignment, sizeof(float), models, space);
+        local_to_model_8(*graph_.skeleton, from, to, static_cast<float*>(models));
+        if (crowd_.inverse_bind.empty()) return;
+        for (std::size_t lane = 0; lane < count_; ++lane)
+            for (std::size_t j = 0; j < joints_; ++j) {
+                const Matrix34 model = to[lane][j];
+                multiply(model, crowd_.inverse_bind[j], to[lane][j]);
+            }
+    }
 
     const LocomotionGraph& graph_;
     const Crowd& crowd_;
     CrowdScratch& scratch_;
     std::size_t joints_, count_ = 0;
-    const Transform* from_[k_lanes] = {};
-    Matrix34* to_[k_lanes] = {};
+    float dt_;
+    bool lays_feet_;
+    std::array<std::size_t, k_eight> character_{};
+    std::array<Transform*, k_eight> pose_{};
 };
 
 CrowdScratch::CrowdScratch(const LocomotionGraph& graph)
-    : locals_(k_eight * graph.skeleton->rest.size()),
+    : frames_(k_eight),
+      locals_(k_eight * graph.skeleton->rest.size()),
       idle_(graph.skeleton->rest.size()),
       models_(model_scratch_floats(graph.skeleton->joint_count()) + k_alignment / sizeof(float)) {}
 
 bool is_due(const Crowd& crowd, std::size_t character) noexcept {
-    if (crowd.frame == 0 || crowd.periods.empty() || crowd.periods[character] < 2) return true;
-    return (crowd.frame + character) % crowd.periods[character] == 0;
+    return crowd.frame == 0 || (crowd.frame + character) % period(crowd, character) == 0;
 }
 
 void evaluate(const LocomotionGraph& graph, const Crowd& crowd, CrowdRange range, float dt,
               CrowdScratch& scratch) noexcept {
     assert(range.first + range.count <= crowd.states.size());
     const bool posed = !crowd.locals.empty() || !crowd.matrices.empty();
-    CrowdLanes lanes(graph, crowd, scratch);
+    CrowdLanes lanes(graph, crowd, dt, scratch);
     for (std::size_t c = range.first; c < range.first + range.count; ++c) {
         const LocomotionFrame frame = update(graph, crowd.states[c], crowd.wishes[c], dt);
         crowd.roots[c] = crowd.roots[c] * frame.root_delta;

@@ -12,9 +12,11 @@
 // states, roots and the frame number. Characters are posed eight at a time, those that are due in a frame side by side,
 // whatever each of them does. Nothing here allocates but CrowdScratch's constructor, and nothing fails.
 //
-// Feet are not placed here: who wants them on uneven ground asks for `locals`, places them (ik/foot_placement.h) and
-// calls local_to_model_8 itself.
+// On uneven ground feet are laid by crowd_feet.h if there is room for `feet`; roots then go up and down with the
+// ground. Who is looked at closely asks for `locals`, places feet by ik/foot_placement.h and calls local_to_model_8
+// itself.
 
+#include <surefoot/crowd/crowd_feet.h>
 #include <surefoot/graph/locomotion.h>
 
 #include <cstdint>
@@ -35,6 +37,11 @@ struct Crowd {
     std::span<Transform> locals{};             ///< N * J, or empty: local poses
     std::span<Matrix34> matrices{};            ///< N * J, or empty: in model space, or for skinning
     std::span<const Matrix34> inverse_bind{};  ///< J, or empty: matrices become model * inverse bind, for skinning
+    /// The ground, asked for eight characters at once, and N feet; null or empty: the ground is level. Feet go on when
+    /// their character is posed. Nothing is laid where the graph does not know legs or footprints.
+    const Ground* ground = nullptr;
+    std::span<CrowdFeet> feet{};
+    CrowdFeetSettings feet_settings{};
 };
 
 struct CrowdRange {
@@ -48,8 +55,9 @@ class CrowdScratch {
 
   private:
     friend class CrowdLanes;
-    std::vector<Transform> locals_;  // of eight
-    std::vector<Matrix34> idle_;     // where idle lanes write
+    std::vector<LocomotionFrame> frames_;  // of eight whose feet are laid
+    std::vector<Transform> locals_;        // of eight
+    std::vector<Matrix34> idle_;           // where idle lanes write
     std::vector<float> models_;
 };
 

@@ -257,23 +257,100 @@ void reach_feet(const LegPaths& paths, const std::array<FootGoal, 2>& feet, std:
     }
 }
 
+namespace {
+
+/// A blend's feet, one side and step at a time.
+class BlendedFeet {
+  public:
+    BlendedFeet(const LegPaths& paths, const FootBlend& blend) noexcept : paths_(paths), blend_(blend) {}
+
+    /// False where one of the clips has no foot track.
+    bool gather(std::span<const PackedClip> clips) noexcept {
+        if (!surefoot::gather(clips, blend_, leaves_)) return false;
+        pace_ = pace_of(leaves_, blend_);
+        return true;
+    }
+    /// Goes over to a side, and returns its share of its step.
+    float turn_to(std::size_t side) noexcept {
+        strike_ = strike_phase(static_cast<Side>(side));
+        const float after = blend_.phase - strike_;
+        // Counted from well above zero, so that the step before the first one has a number too.
+        constexpr std::uint32_t k_far = 27720;  // a multiple of every small cycle count
+        step_ = blend_.cycle + k_far - (after < 0);
+        surefoot::turn_to(side, step_, leaves_);
+        side_ = side;
+        return after < 0 ? after + 1 : after;
+    }
+    void turn_to_next_step() noexcept { surefoot::turn_to(side_, step_ + 1, leaves_); }
+    float duty() const noexcept { return blended_duty(leaves_); }
+    bool steps() const noexcept {
+        for (const FootLeaf& leaf : leaves_.all())
+            if (leaf.clip->cycles > 0) return true;
+        return false;
+    }
+    /// The foot at a share of its step, as seen from the root at that moment.
+    FootGoal at(float share) const noexcept {
+        const FootKey key = mean_key(paths_.side[side_], leaves_, strike_, share);
+        const RootFrame moved = integrate(blend_.velocity, blend_.turn, key.age / pace_);
+        return {inverse(to_transform(moved)) * key.print, key.toes};
+    }
+
+  private:
+    const LegPaths& paths_;
+    const FootBlend& blend_;
+    FootLeaves leaves_;
+    float pace_ = 1, strike_ = 0;
+    std::uint32_t step_ = 0;
+    std::size_t side_ = 0;
+};
+
+}  // namespace
+
 void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
                 std::span<Transform> locals) noexcept {
     if (paths.count == 0) return;
-    FootLeaves leaves;
-    if (!gather(clips, blend, leaves)) return;
-    const float pace = pace_of(leaves, blend);
-    std::array<FootKey, 2> feet;
+    BlendedFeet blended(paths, blend);
+    if (!blended.gather(clips)) return;
+    std::array<FootGoal, 2> feet;
     for (std::size_t side = 0; side < 2; ++side) {
-        const float strike = side == 0 ? 0.0f : 0.5f, after = blend.phase - strike;
-        // Counted from well above zero, so that the step before the first one has a number too.
-        constexpr std::uint32_t k_far = 27720;  // a multiple of every small cycle count
-        turn_to(side, blend.cycle + k_far - (after < 0), leaves);
-        FootKey& key = feet[side] = mean_key(paths.side[side], leaves, strike, after < 0 ? after + 1 : after);
-        const RootFrame moved = integrate(blend.velocity, blend.turn, key.age / pace);
-        key.print = inverse(to_transform(moved)) * key.print;
+        const float share = blended.turn_to(side);
+        feet[side] = blended.at(share);
     }
-    reach_feet(paths, {FootGoal{feet[0].print, feet[0].toes}, FootGoal{feet[1].print, feet[1].toes}}, locals);
+    reach_feet(paths, feet, locals);
+}
+
+bool plan_feet(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
+               std::array<FootPlan, 2>& feet) noexcept {
+    if (paths.count == 0) return false;
+    BlendedFeet blended(paths, blend);
+    if (!blended.gather(clips)) return false;
+    for (std::size_t side = 0; side < 2; ++side) {
+        FootPlan& foot = feet[side];
+        foot.share = blended.turn_to(side);
+        foot.now = blended.at(foot.share);
+        foot.stance = blended.duty();
+        foot.steps = blended.steps() && blend.phase_rate > 0;
+        if (!foot.swings()) continue;
+        blended.turn_to_next_step();
+        const float middle = 0.5f * blended.duty(), ahead = (1 + middle - foot.share) / blend.phase_rate;
+        foot.next = to_transform(integrate(blend.velocity, blend.turn, ahead)) * blended.at(middle).foot;
+    }
+    return true;
+}
+
+float sink_to_reach(const LegPaths& paths, const std::array<FootGoal, 2>& feet, float reach,
+                    std::span<const Transform> locals) noexcept {
+    LegModels models;
+    run_forward(paths, locals, models);
+    float sink = 0;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const LegPaths::Side& leg = paths.side[side];
+        const Vec3 hip = models.place(leg.upper), knee = models.place(leg.lower), ankle = feet[side].foot.translation;
+        const float length = reach * (distance(hip, knee) + distance(knee, models.place(leg.foot)));
+        const float level = planar_length(ankle - hip), square = length * length - level * level;
+        if (square > 0) sink = std::max(sink, hip.y - ankle.y - std::sqrt(square));
+    }
+    return sink;
 }
 
 }  // namespace surefoot

@@ -65,6 +65,24 @@ struct FootBlend {
     float turn = 0;        ///< [rad/s]
 };
 
+/// What a blended foot does, and where it stands next.
+struct FootPlan {
+    FootGoal now;         ///< as seen from the root
+    bool steps = false;   ///< false: it stands for good, and the rest means nothing
+    float share = 0;      ///< [0, 1) of the way from its strike to its next
+    float stance = 0.6f;  ///< (0, 1) share at which it leaves the ground
+    Transform next;       ///< of a foot that swings: the middle of its next stance, seen from the root as it is now
+    bool swings() const noexcept { return steps && share >= stance; }
+};
+
+/// Both feet of a blend, if it goes on as it does now. False where one of the clips has no foot track.
+bool plan_feet(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
+               std::array<FootPlan, 2>& feet) noexcept;
+
+/// How far a body would have to sink [m] >= 0 for both feet to be within `reach` (a share) of its legs' length.
+float sink_to_reach(const LegPaths& paths, const std::array<FootGoal, 2>& feet, float reach,
+                    std::span<const Transform> locals) noexcept;
+
 /// Solves both legs of the blended pose `locals` (joint_count() transforms) for the blended feet of the leaves. Nothing
 /// changes where one of the clips has no foot track. Never allocates or fails.
 void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,

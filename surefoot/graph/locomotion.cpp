@@ -121,13 +121,20 @@ LocomotionFrame update(const LocomotionGraph& graph, LocomotionState& state, con
     return frame;
 }
 
+FootBlend foot_blend_of(const LocomotionFrame& frame) noexcept {
+    return {frame.leaves(),     frame.phase,      frame.cycle,    frame.phase_before,
+            frame.cycle_before, frame.phase_rate, frame.velocity, frame.turn * k_radians_per_degree};
+}
+
 void pose(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<Transform> locals) noexcept {
     sample_pose(*graph.skeleton, graph.clips, frame.leaves(), locals);
-    if (frame.leaf_count > 1 || frame.styled)
-        blend_feet(graph.legs, graph.clips,
-                   {frame.leaves(), frame.phase, frame.cycle, frame.phase_before, frame.cycle_before, frame.phase_rate,
-                    frame.velocity, frame.turn * k_radians_per_degree},
-                   locals);
+    if (frame.leaf_count > 1 || frame.styled) blend_feet(graph.legs, graph.clips, foot_blend_of(frame), locals);
+    if (frame.layer_count > 0) lay_over(graph, frame, locals);
+}
+
+void pose_without_feet(const LocomotionGraph& graph, const LocomotionFrame& frame,
+                       std::span<Transform> locals) noexcept {
+    sample_pose(*graph.skeleton, graph.clips, frame.leaves(), locals);
     if (frame.layer_count > 0) lay_over(graph, frame, locals);
 }
 

@@ -167,6 +167,11 @@ LocomotionFrame update(const LocomotionGraph& graph, LocomotionState& state, con
 /// The frame's local pose: joint_count() transforms, the root at the origin, facing +Z. Where the graph knows the legs,
 /// the feet are blended as feet (graph/foot_blend.h).
 void pose(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<Transform> locals) noexcept;
+/// The same with the legs as the joints' mean has them: for who knows better where the feet shall be (plan_feet).
+void pose_without_feet(const LocomotionGraph& graph, const LocomotionFrame& frame,
+                       std::span<Transform> locals) noexcept;
+/// What foot_blend.h asks of a frame.
+FootBlend foot_blend_of(const LocomotionFrame& frame) noexcept;
 
 /// Speed of the ground under a foot [m/s]: planar, and by turning [rad/s] at the lever of a foot.
 float foot_speed(Vec3 velocity, float turn_rate) noexcept;
