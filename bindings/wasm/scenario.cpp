@@ -6,6 +6,8 @@
 #include <surefoot/base/hash.h>
 #include <surefoot/base/random.h>
 #include <surefoot/course/walk.h>
+#include <surefoot/crowd/crowd.h>
+#include <surefoot/ground/height_field.h>
 #include <surefoot/io/bvh.h>
 #include <surefoot/math/trig.h>
 #include <surefoot/motion/edit.h>
@@ -104,7 +106,7 @@ std::uint64_t space_scenario() {
 }
 
 /// The generated clips measured and baked.
-Character scenario_character() {
+Character scenario_character(const BakeOptions& options = {}) {
     const ClipSet set = make_synthetic_set();
     std::vector<AnalyzedClip> clips;
     ProjectSpace facing;
@@ -117,7 +119,7 @@ Character scenario_character() {
         clips.push_back(std::move(clip));
     }
     triangulate(facing.space);
-    return bake_character(clips, {&facing, 1}, "scenario");
+    return bake_character(clips, {&facing, 1}, "scenario", options);
 }
 
 /// Steered over hills with the feet on the ground, ten seconds.
@@ -179,6 +181,29 @@ std::uint64_t program_scenario(const Program& program) {
     return hash;
 }
 
+/// Curves instead of frames, by a crowd with its feet on hills, five seconds.
+std::uint64_t crowd_scenario(const Character& character) {
+    constexpr std::size_t k_count = 11;
+    const HeightField hills = make_hills();
+    std::vector<LocomotionState> states(k_count);
+    std::vector<LocomotionRequest> wishes(k_count);
+    std::vector<RootFrame> roots(k_count);
+    std::vector<Transform> locals(k_count * character.skeleton->rest.size());
+    std::vector<CrowdFeet> feet(k_count);
+    for (std::size_t c = 0; c < k_count; ++c) wishes[c] = {0.3f * static_cast<float>(c), 5 * static_cast<float>(c), 0};
+    CrowdScratch scratch(character.graph);
+    Crowd crowd{states, wishes, roots};
+    crowd.locals = locals;
+    crowd.ground = &hills;
+    crowd.feet = feet;
+    std::uint64_t hash = hash_bytes({});
+    for (; crowd.frame < 300; ++crowd.frame) {
+        evaluate(character.graph, crowd, {0, k_count}, 1.0f / 60, scratch);
+        hash = hash_span<Transform>(locals, hash_span<CrowdFeet>(feet, hash_span<RootFrame>(roots, hash)));
+    }
+    return hash;
+}
+
 /// As bytes, and played from them.
 std::uint64_t pack_scenario(const Character& character, Program program) {
     Pack pack = to_pack(character);
@@ -202,6 +227,8 @@ std::string run_scenarios() {
     const Program program = scenario_program(character);
     text += "program " + hex(program_scenario(program)) + "\n";
     text += "pack " + hex(pack_scenario(character, program)) + "\n";
+    constexpr float k_limit = 1e-4f;
+    text += "crowd " + hex(crowd_scenario(scenario_character({k_limit}))) + "\n";
     text += "space " + hex(space_scenario()) + "\n";
     return text;
 }
