@@ -1,11 +1,9 @@
 // What a crowd cost over the last seconds: animating it, and drawing it.
-import { useEffect, useRef } from 'preact/hooks';
-import { effect } from '@preact/signals';
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { costs, k_cost_history_s } from '../crowd';
-import { frameCount } from '../session';
-import { isDark, k_side_colors } from '../view/theme';
+import { k_side_colors } from '../view/theme';
+import { usePlotStrip } from './plot_strip';
 import { css, token } from './strip';
 
 const k_redraw_ms = 100;
@@ -26,46 +24,22 @@ function makePlot(box: HTMLElement): uPlot {
         { ...axis, size: 22, space: 70, font: '11px system-ui', values: (_, ticks) => ticks.map((tick) => `${tick} s`) },
         { ...axis, size: 56, font: '11px system-ui', splits: (plot) => k_decades_ms.filter((each) => each <= plot.scales['y']!.max!), values: (_, ticks) => ticks.map((tick) => (tick === null ? '' : `${tick} ms`)) }, // uPlot takes out every other one of a log scale's
       ],
-      series: [{}, ...k_side_colors.map((color, i) => ({ label: k_names[i], stroke: css(color), width: 2, points: { show: false } }))],
+      series: [{}, ...k_side_colors.map((color, i) => ({ label: k_names[i], stroke: css(color), width: 2, spanGaps: true, points: { show: false } }))],
     },
     [[], [], []],
     box,
   );
 }
 
+function show(plot: uPlot): void {
+  const end = costs.time.at(-1) ?? 0;
+  const shown = (list: (number | null)[]) => list.map((each) => (each === null || each <= 0 ? null : Math.max(each, k_decades_ms[0]!)));
+  plot.setData([costs.time.map((time) => time - end), shown(costs.animation), shown(costs.rendering)] as uPlot.AlignedData, false);
+  plot.setScale('x', { min: -k_cost_history_s, max: 0 });
+}
+
 export function CostStrip() {
-  const box = useRef<HTMLDivElement>(null);
-  useEffect(() => {
-    const element = box.current!;
-    const plot = makePlot(element);
-    const fit = new ResizeObserver(() => {
-      if (element.clientWidth > 0 && element.clientHeight > 0) plot.setSize({ width: element.clientWidth, height: element.clientHeight });
-    });
-    fit.observe(element);
-    let last = 0;
-    const stop = effect(() => {
-      void frameCount.value;
-      const now = performance.now();
-      if (element.clientHeight === 0 || now - last < k_redraw_ms) return;
-      last = now;
-      const end = costs.time.at(-1) ?? 0;
-      const shown = (list: (number | null)[]) => list.map((each) => (each === null || each <= 0 ? null : Math.max(each, k_decades_ms[0]!)));
-      plot.batch(() => {
-        plot.setData([costs.time.map((time) => time - end), shown(costs.animation), shown(costs.rendering)] as uPlot.AlignedData, false);
-        plot.setScale('x', { min: -k_cost_history_s, max: 0 });
-      });
-    });
-    const repaint = effect(() => {
-      void isDark.value;
-      requestAnimationFrame(() => plot.redraw());
-    });
-    return () => {
-      stop();
-      repaint();
-      fit.disconnect();
-      plot.destroy();
-    };
-  }, []);
+  const box = usePlotStrip(makePlot, show, k_redraw_ms);
   return (
     <figure class="strip">
       <figcaption>

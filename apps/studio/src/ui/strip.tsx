@@ -1,11 +1,10 @@
 // How high each foot is over the ground, and when it stands, over the last seconds.
-import { useEffect, useRef } from 'preact/hooks';
-import { effect } from '@preact/signals';
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
-import { frameCount, history } from '../session';
+import { history } from '../session';
 import { k_history_s } from '../history';
-import { isDark, k_side_colors } from '../view/theme';
+import { k_side_colors } from '../view/theme';
+import { usePlotStrip } from './plot_strip';
 
 const k_redraw_ms = 60;
 const k_lane = 7; // [px]
@@ -64,39 +63,14 @@ function makePlot(box: HTMLElement): uPlot {
   );
 }
 
+function show(plot: uPlot): void {
+  const end = Math.max(history.time[history.time.length - 1] ?? 0, k_history_s);
+  plot.setData([history.time, ...history.clearance], false);
+  plot.setScale('x', { min: end - k_history_s, max: end });
+}
+
 export function Strip() {
-  const box = useRef<HTMLDivElement>(null);
-  useEffect(() => {
-    const element = box.current!;
-    const plot = makePlot(element);
-    const fit = new ResizeObserver(() => {
-      if (element.clientWidth > 0 && element.clientHeight > 0)
-        plot.setSize({ width: element.clientWidth, height: element.clientHeight });
-    });
-    fit.observe(element);
-    let last = 0;
-    const stop = effect(() => {
-      void frameCount.value;
-      const now = performance.now();
-      if (element.clientHeight === 0 || (now - last < k_redraw_ms && history.time.length > 1)) return;
-      last = now;
-      const end = Math.max(history.time[history.time.length - 1] ?? 0, k_history_s);
-      plot.batch(() => {
-        plot.setData([history.time, ...history.clearance], false);
-        plot.setScale('x', { min: end - k_history_s, max: end });
-      });
-    });
-    const repaint = effect(() => {
-      void isDark.value;
-      requestAnimationFrame(() => plot.redraw());
-    });
-    return () => {
-      stop();
-      repaint();
-      fit.disconnect();
-      plot.destroy();
-    };
-  }, []);
+  const box = usePlotStrip(makePlot, show, k_redraw_ms, () => history.time.length <= 1);
   return (
     <figure class="strip">
       <figcaption>

@@ -5,6 +5,7 @@ import { facts, failForGood, frame, mesh, notice, terrain, tick } from '../sessi
 import { readInput } from '../input';
 import { cameraView, ghosts, overlays, workspace } from '../settings';
 import { Picture } from '../view/picture';
+import { runPicture } from '../view/picture_loop';
 import { palette } from '../view/theme';
 import { Stick } from './stick';
 import { Readout } from './readout';
@@ -13,10 +14,6 @@ import { clipColors } from '../workspaces/space_state';
 /** Runs the picture until it is told to stop. */
 function run(canvas: HTMLCanvasElement): () => void {
   const picture = new Picture(canvas);
-  const box = canvas.parentElement!;
-  const fit = () => picture.resize(box.clientWidth, box.clientHeight, devicePixelRatio);
-  const watch = new ResizeObserver(fit);
-  watch.observe(box);
   const stops = [
     effect(() => picture.paint(palette.value)),
     effect(() => {
@@ -27,10 +24,7 @@ function run(canvas: HTMLCanvasElement): () => void {
     }),
     effect(() => picture.look(cameraView.value)),
   ];
-  let last = performance.now(), asked = 0, tired = false;
-  const draw = (now: number) => {
-    const seconds = Math.max((now - last) / 1000, 0);
-    last = now;
+  const stop = runPicture(canvas, picture, (seconds) => {
     readInput();
     const shown = {
       axes: overlays.axes.value,
@@ -40,17 +34,13 @@ function run(canvas: HTMLCanvasElement): () => void {
       ghosts: ghosts.value && workspace.value === 'space' ? clipColors.value : null,
     };
     // First the picture of the frame that is here; the next one is made meanwhile.
-    if (tired) fit(); // which empties the canvas: right before it is drawn
-    tired = picture.draw(frame, Math.min(seconds, 0.25), shown);
+    const tired = picture.draw(frame, Math.min(seconds, 0.25), shown);
     tick(seconds);
-    asked = requestAnimationFrame(draw);
-  };
-  asked = requestAnimationFrame(draw);
+    return tired;
+  });
   return () => {
-    cancelAnimationFrame(asked);
-    watch.disconnect();
-    stops.forEach((stop) => stop());
-    picture.dispose();
+    stops.forEach((each) => each());
+    stop();
   };
 }
 

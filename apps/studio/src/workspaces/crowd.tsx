@@ -5,6 +5,7 @@ import { costs, crowd, lookFrom, makeCrowd, medianAnimation, posed, texels, tick
 import { facts as character, failForGood, frameCount, notice } from '../session';
 import { crowdCount, crowdView, k_most_crowd, lastingPoses } from '../settings';
 import { CrowdPicture } from '../view/crowd';
+import { runPicture } from '../view/picture_loop';
 import { palette } from '../view/theme';
 import { Section, Segmented, Toggle } from '../ui/controls';
 
@@ -18,10 +19,6 @@ let picture: CrowdPicture | undefined;
 function run(canvas: HTMLCanvasElement): () => void {
   const own = new CrowdPicture(canvas);
   picture = own;
-  const box = canvas.parentElement!;
-  const fit = () => own.resize(box.clientWidth, box.clientHeight, devicePixelRatio);
-  const watch = new ResizeObserver(fit);
-  watch.observe(box);
   const stops = [
     effect(() => own.paint(palette.value)),
     effect(() => {
@@ -29,22 +26,15 @@ function run(canvas: HTMLCanvasElement): () => void {
     }),
     effect(() => own.look(crowdView.value)),
   ];
-  let last = performance.now(), asked = 0, tired = false;
-  const draw = (now: number) => {
-    const seconds = Math.max((now - last) / 1000, 0);
-    last = now;
-    if (tired) fit(); // which empties the canvas: right before it is drawn
-    tired = own.draw(texels, seconds);
+  const stop = runPicture(canvas, own, (seconds) => {
+    const tired = own.draw(texels, seconds);
     lookFrom(own.eye);
     tickCrowd(seconds, own.renderingMs);
-    asked = requestAnimationFrame(draw);
-  };
-  asked = requestAnimationFrame(draw);
+    return tired;
+  });
   return () => {
-    cancelAnimationFrame(asked);
-    watch.disconnect();
-    stops.forEach((stop) => stop());
-    own.dispose();
+    stops.forEach((each) => each());
+    stop();
     picture = undefined;
   };
 }
