@@ -1,4 +1,5 @@
 #include <surefoot/crowd/crowd_feet.h>
+#include <surefoot/ik/hips.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,14 +63,6 @@ Transform laid(const LegPaths::Side& leg, const Transform& foot, const GroundPla
     return stand_on(leg, normalized(tilt * foot.rotation), heel, ball);
 }
 
-/// Critically damped towards `target`.
-void follow(float& value, float& rate, float target, float seconds, float dt) noexcept {
-    const float stiff = 2 / seconds, decay = 1 / (1 + stiff * dt + 0.48f * (stiff * dt) * (stiff * dt));
-    const float off = value - target, pull = (rate + stiff * off) * dt;
-    rate = (rate - stiff * pull) * decay;
-    value = target + (off + pull) * decay;
-}
-
 }  // namespace
 
 bool CrowdFeetStep::plan(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend) noexcept {
@@ -124,10 +117,10 @@ void CrowdFeetStep::place(const LegPaths& paths, CrowdFeet& feet, RootFrame& roo
     }
     constexpr float k_reach = 0.99f;
     const float target = middle - sink_to_reach(paths, goals, k_reach, locals);
-    if (is_new_)
-        root.position.y = target;
-    else if (dt > 0)
-        follow(root.position.y, feet.rise, target, settings.rise, dt);
+    HeightSpring height{is_new_ ? target : root.position.y, feet.rise};
+    if (!is_new_) height.step(target, 2 / settings.rise, dt);
+    root.position.y = height.value;
+    feet.rise = height.rate;
     for (FootGoal& goal : goals) goal.foot.translation.y += middle - root.position.y;
     reach_feet(paths, goals, locals);
 }
