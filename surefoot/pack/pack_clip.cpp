@@ -3,6 +3,7 @@
 #include <surefoot/clip/sample.h>
 #include <surefoot/graph/locomotion.h>
 #include <surefoot/pack/foot_prints.h>
+#include <surefoot/pack/joint_track.h>
 #include <surefoot/pack/pack_clip.h>
 #include <surefoot/pack/small_form.h>
 #include <surefoot/pack/steady_root.h>
@@ -14,57 +15,19 @@ namespace surefoot {
 
 namespace {
 
-constexpr float k_full_scale = 32767.0f;
-
-std::int16_t to_int16(float x) {
-    return static_cast<std::int16_t>(std::lround(std::min(std::max(x, -1.0f), 1.0f) * k_full_scale));
-}
-
-/// One joint's rotations over the clip, continuous; on the hemisphere of rest for most of it.
-struct JointTrack {
-    std::vector<Quat> rotations;
-    bool turning = false;  ///< some frame is on the other hemisphere
-};
-JointTrack joint_track(const std::vector<Transform>& locals, std::size_t joints, std::size_t joint, Quat rest) {
-    JointTrack track;
-    int other_side = 0;
-    for (std::size_t at = joint; at < locals.size(); at += joints) {
-        const Quat q = normalized(locals[at].rotation);
-        track.rotations.push_back(track.rotations.empty() ? aligned(q, rest) : aligned(q, track.rotations.back()));
-        other_side += dot(track.rotations.back(), rest) < 0;
-    }
-    if (2 * static_cast<std::size_t>(other_side) > track.rotations.size()) {
-        for (Quat& q : track.rotations) q = -q;
-        other_side = static_cast<int>(track.rotations.size()) - other_side;
-    }
-    track.turning = other_side > 0;
-    return track;
-}
-
 void pack_rotations(PackedClip& clip, const Skeleton& skeleton, const std::vector<Transform>& locals) {
     const std::size_t joints = skeleton.rest.size(), blocks = static_cast<std::size_t>(clip.block_count());
     const std::size_t frames = static_cast<std::size_t>(clip.frame_count), frame_size = blocks * 4 * k_lanes;
     std::vector<std::int16_t> rotations(frames * frame_size, 0);
     for (std::size_t j = 0; j < blocks * k_lanes; ++j) {
-        const std::size_t block = j / k_lanes, lane = j % k_lanes;
-        if (j >= joints) {  // lanes without a joint hold the identity
-            for (std::size_t f = 0; f < frames; ++f)
-                rotations[f * frame_size + block * 4 * k_lanes + 3 * k_lanes + lane] = to_int16(1);
-            continue;
-        }
-        const JointTrack track = joint_track(locals, joints, j, skeleton.rest[j].rotation);
+        // Lanes without a joint hold the identity.
+        JointTrack track{std::vector<Quat>(frames), false};
+        if (j < joints) track = joint_track(locals, joints, j, skeleton.rest[j].rotation);
         if (track.turning) {
             clip.turning_blocks.resize(blocks);
-            clip.turning_blocks[block] = 1;
+            clip.turning_blocks[j / k_lanes] = 1;
         }
-        for (std::size_t f = 0; f < frames; ++f) {
-            const Quat q = track.rotations[f];
-            std::int16_t* to = rotations.data() + f * frame_size + block * 4 * k_lanes + lane;
-            to[0] = to_int16(q.x);
-            to[k_lanes] = to_int16(q.y);
-            to[2 * k_lanes] = to_int16(q.z);
-            to[3 * k_lanes] = to_int16(q.w);
-        }
+        for (std::size_t f = 0; f < frames; ++f) put_rotation(rotations.data() + f * frame_size, j, track.rotations[f]);
     }
     clip.rotations = std::move(rotations);
 }

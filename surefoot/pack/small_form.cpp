@@ -1,4 +1,5 @@
 #include <surefoot/pack/fit_curves.h>
+#include <surefoot/pack/joint_track.h>
 #include <surefoot/pack/pack_clip.h>
 #include <surefoot/pack/small_form.h>
 
@@ -9,8 +10,6 @@
 namespace surefoot {
 
 namespace {
-
-constexpr float k_full_scale = 32767.0f;
 
 /// Numbers of a clip, frame by frame, and how far in model space a unit of each moves something.
 struct Track {
@@ -39,7 +38,7 @@ Vec3 middle_of(std::span<const Vec3> values) {
 Vec3 vector_part(Quat q) { return {q.x, q.y, q.z}; }
 
 Quat rounded(Quat q) {
-    const auto round = [](float x) { return std::round(x * k_full_scale) / k_full_scale; };
+    const auto round = [](float x) { return std::round(x * k_rotation_scale) / k_rotation_scale; };
     return {round(q.x), round(q.y), round(q.z), round(q.w)};
 }
 
@@ -92,16 +91,6 @@ void add_shifts(Tracks& tracks, std::span<const Vec3> places, Vec3 middle, int f
     for (int c = 0; c < 3; ++c) tracks.push_back({first + c, std::move(xyz[static_cast<std::size_t>(c)]), reach});
 }
 
-/// A joint's rotations, continuous, on the side of `rest` in the first frame.
-std::vector<Quat> joint_rotations(std::span<const Transform> locals, std::size_t joints, std::size_t joint, Quat rest) {
-    std::vector<Quat> rotations;
-    for (std::size_t at = joint; at < locals.size(); at += joints) {
-        const Quat q = normalized(locals[at].rotation);
-        rotations.push_back(aligned(q, rotations.empty() ? rest : rotations.back()));
-    }
-    return rotations;
-}
-
 /// Poses but for their curves; the numbers that these shall give go to `tracks`. False where a joint turns too far.
 bool pose_tracks(PackedClip& clip, const Skeleton& skeleton, std::span<const Transform> locals, Tracks& tracks) {
     const std::size_t joints = skeleton.rest.size();
@@ -110,15 +99,12 @@ bool pose_tracks(PackedClip& clip, const Skeleton& skeleton, std::span<const Tra
     for (std::size_t j = 0; j < middles.size() / 4; ++j) {
         Quat middle;
         if (j < joints) {
-            const Turns turns = turns_of(joint_rotations(locals, joints, j, skeleton.rest[j].rotation), true);
+            const Turns turns = turns_of(joint_track(locals, joints, j, skeleton.rest[j].rotation).rotations, true);
             if (turns.far || dot(turns.middle, skeleton.rest[j].rotation) < 0) return false;
             middle = turns.middle;
             add_turns(tracks, turns, static_cast<int>(turn_number(static_cast<int>(j))), k_lanes, reach[j]);
         }
-        std::int16_t* to = middles.data() + j / k_lanes * 4 * k_lanes + j % k_lanes;
-        const float values[4] = {middle.x, middle.y, middle.z, middle.w};
-        for (std::size_t c = 0; c < 4; ++c)
-            to[c * k_lanes] = static_cast<std::int16_t>(std::lround(values[c] * k_full_scale));
+        put_rotation(middles.data(), j, middle);
     }
     clip.small.middle = std::move(middles);
     for (std::size_t i = 0; i < clip.moving.size(); ++i) {
@@ -132,12 +118,12 @@ bool pose_tracks(PackedClip& clip, const Skeleton& skeleton, std::span<const Tra
 }
 
 /// The same for a foot.
-bool foot_tracks(FootPrints& foot, std::span<const FootKey> keys, Tracks& tracks) {
+bool foot_tracks(FootPrints& foot, Tracks& tracks) {
     // Nothing but the foot hangs on a print, while errors of joints add up along a limb: it may be coarser.
     constexpr float k_coarser = 0.6f, k_foot = k_coarser * 0.25f, k_toes = k_coarser * 0.1f;  // [m]
     std::vector<Quat> prints, toes;
     std::vector<Vec3> places;
-    for (const FootKey& key : keys) {
+    for (const FootKey& key : foot.keys) {
         prints.push_back(key.print.rotation);
         places.push_back(key.print.translation);
         toes.push_back(key.toes);
@@ -184,7 +170,7 @@ std::optional<PackedClip> small_form(const PackedClip& clip, const Skeleton& ske
     for (FootPrints& foot : small.feet) {
         if (foot.keys.empty()) continue;
         Tracks tracks;
-        if (!foot_tracks(foot, foot.keys, tracks)) return std::nullopt;
+        if (!foot_tracks(foot, tracks)) return std::nullopt;
         of_feet.push_back(fitter_of(clip, tracks, limit, low));
         foot.keys = {};
     }
