@@ -16,8 +16,8 @@ function(surefoot_room name)
     surefoot_compile_options(${target})
     if(ROOM_RUNTIME)
       target_compile_options(${target} PRIVATE -fno-exceptions)
-    elseif(EMSCRIPTEN AND NOT name STREQUAL author)
-      # It is sent to browsers; what runs each frame stays fast. At -Os clang 14 plans other repairs than natively.
+    elseif(EMSCRIPTEN)
+      # It is sent to browsers; what runs each frame stays fast.
       target_compile_options(${target} PRIVATE -Os)
     endif()
   else()

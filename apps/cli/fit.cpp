@@ -166,7 +166,7 @@ int derive(HarmonicGait gait, const Options& options) {
     if (options.hold_feet) gait = holding_feet(gait);
     if (options.shift_weight) gait = shifting_weight(gait);
     if (!options.stairs.empty()) {
-        Stairs stairs;
+        StairSteps stairs;
         stairs.riser = options.stairs[0], stairs.tread = options.stairs[1];
         gait = on_stairs(gait, stairs);
     }

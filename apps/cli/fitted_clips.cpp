@@ -129,7 +129,7 @@ GaitStyle fitted_style(const std::string& personality, std::span<const std::stri
 }
 
 AnalyzedClip bake_fitted(const std::string& name, std::optional<float> speed, std::optional<float> turn,
-                         const BakeOptions& options) {
+                         const GaitBakeOptions& options) {
     const NamedGait* named = named_of(name);
     const HarmonicGait gait = read_fitted(name);
     if (!gait.family() && (speed || turn))

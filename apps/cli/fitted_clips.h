@@ -29,7 +29,7 @@ GaitStyle fitted_style(const std::string& personality, std::span<const std::stri
 
 /// A cycle of a fitted gait, at a speed and turn that are its own where none are given. Throws Error.
 AnalyzedClip bake_fitted(const std::string& gait, std::optional<float> speed, std::optional<float> turn,
-                         const BakeOptions& options);
+                         const GaitBakeOptions& options);
 
 /// What `surefoot gait` is asked for of a fitted gait.
 struct PlayFitted {

@@ -43,8 +43,8 @@ bool names_fitted(const std::string& name) {
 
 /// Its own skeleton stays: authoring puts it onto others.
 LoadedClip load_fitted(const GaitRequest& request, const std::string& text) {
-    const BakeOptions options{fitted_style(request.preset, request.set), static_cast<float>(request.slope.value_or(0)),
-                              60, true};
+    const GaitBakeOptions options{fitted_style(request.preset, request.set),
+                                  static_cast<float>(request.slope.value_or(0)), 60, true};
     AnalyzedClip clip = bake_fitted(request.gait, request.speed, request.turn, options);
     clip.motion.name = clip.facts.name = title_of(request, text);
     return as_loaded(std::move(clip), text);

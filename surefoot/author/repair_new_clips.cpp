@@ -56,7 +56,7 @@ void keep_best(std::vector<Ranked>& ranked, std::vector<RepairPlan>& plans) {
 /// a clip may stand elsewhere than asked: the end of an axis is where its farthest clip is.
 void plan_images(const Workbench& bench, const ProjectSpace& space, std::span<const float> target, int free_axis,
                  std::vector<Ranked>& ranked) {
-    for (const Source& source : sources(bench)) {
+    for (const RepairSource& source : sources(bench)) {
         const ClipFacts& f = source.clip->facts;
         if (is_idle(f)) continue;
         for (const bool reversed : {false, true})
@@ -102,7 +102,7 @@ void plan_changes(const Workbench& bench, const ProjectSpace& space, std::span<c
             if (space.space.axes[k].name == axis) return target[k];
         return {};
     };
-    for (const Source& source : sources(bench)) {
+    for (const RepairSource& source : sources(bench)) {
         const ClipFacts& f = source.clip->facts;
         if (is_idle(f)) continue;
         // "speed" is along the facing in the one space, "forward" and "lateral" are apart in the other.
@@ -201,13 +201,13 @@ void plan_interpolation(const Workbench& bench, const ProjectSpace& space, std::
 }
 
 /// The straight walk that is nearest to a person's usual pace.
-const Source* walk_of(const std::vector<Source>& all) {
-    const Source* best = nullptr;
-    const auto unusual = [](const Source& s) {
+const RepairSource* walk_of(const std::vector<RepairSource>& all) {
+    const RepairSource* best = nullptr;
+    const auto unusual = [](const RepairSource& s) {
         constexpr float k_usual = 1.4f;  // [m/s]
         return std::fabs(s.clip->facts.speed - k_usual) + 0.02f * std::fabs(s.clip->facts.turn);
     };
-    for (const Source& source : all) {
+    for (const RepairSource& source : all) {
         const ClipFacts& f = source.clip->facts;
         if (f.speed < 0.3f || std::fabs(f.travel) > 20 || !(f.cadence > 0)) continue;
         if (!best || unusual(source) < unusual(*best)) best = &source;
@@ -215,8 +215,9 @@ const Source* walk_of(const std::vector<Source>& all) {
     return best;
 }
 
-std::string idle_of(const std::vector<Source>& all) {
-    const auto idle = std::find_if(all.begin(), all.end(), [](const Source& s) { return is_idle(s.clip->facts); });
+std::string idle_of(const std::vector<RepairSource>& all) {
+    const auto idle =
+        std::find_if(all.begin(), all.end(), [](const RepairSource& s) { return is_idle(s.clip->facts); });
     return idle != all.end() ? idle->clip->name : "";
 }
 
@@ -266,8 +267,8 @@ void plan_spot_turns(const Workbench& bench, const ProjectSpace& space, std::spa
     const PercentSpace percent(space);
     const int turn = percent.axis("turn"), speed = percent.axis("speed");
     if (turn < 0 || speed < 0 || std::fabs(target[static_cast<std::size_t>(speed)]) > 0.1f) return;
-    const std::vector<Source> all = sources(bench);
-    const Source* walk = walk_of(all);
+    const std::vector<RepairSource> all = sources(bench);
+    const RepairSource* walk = walk_of(all);
     const float rate = std::fabs(target[static_cast<std::size_t>(turn)]);
     if (!walk || rate < 20) return;
     Planner planner(bench);
@@ -278,8 +279,8 @@ void plan_spot_turns(const Workbench& bench, const ProjectSpace& space, std::spa
 
 }  // namespace
 
-std::vector<Source> sources(const Workbench& bench) {
-    std::vector<Source> result;
+std::vector<RepairSource> sources(const Workbench& bench) {
+    std::vector<RepairSource> result;
     for (std::size_t i = 0; i < bench.clips.size(); ++i) {
         const ProjectClip& clip = bench.project.clips[i];
         if (bench.clips[i] && !clip.excluded && clip.facts.cyclic) result.push_back({&clip, bench.clips[i].get()});
@@ -295,12 +296,12 @@ std::vector<float> place_of(const ProjectSpace& space, const ClipFacts& facts) {
 
 void plan_second_dimension(const Workbench& bench, const ProjectSpace& space, std::vector<RepairPlan>& plans) {
     if (space.space.dimensions() != 1 || space.space.axes[0].name != "speed") return;
-    const std::vector<Source> all = sources(bench);
-    const Source* walk = walk_of(all);
+    const std::vector<RepairSource> all = sources(bench);
+    const RepairSource* walk = walk_of(all);
     if (!walk) return;
-    std::vector<Source> straight;
+    std::vector<RepairSource> straight;
     bool goes_back = false;
-    for (const Source& source : all)
+    for (const RepairSource& source : all)
         if (!is_idle(source.clip->facts) && is_in(bench, space, *source.clip)) {
             straight.push_back(source);
             goes_back |= source.clip->facts.speed < 0;
@@ -308,7 +309,7 @@ void plan_second_dimension(const Workbench& bench, const ProjectSpace& space, st
     for (const bool every : {true, false})
         for (const float turn : {45.0f, 30.0f}) {
             Planner planner(bench);
-            for (const Source& source : every ? straight : std::vector<Source>{*walk})
+            for (const RepairSource& source : every ? straight : std::vector<RepairSource>{*walk})
                 bend_to_both_sides(planner, source.clip->name, source.clip->facts.speed, turn);
             const bool make_back = every && !goes_back;
             const std::string back =

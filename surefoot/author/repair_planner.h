@@ -12,13 +12,13 @@
 namespace surefoot {
 
 /// A clip that can be worked on.
-struct Source {
+struct RepairSource {
     const ProjectClip* clip;
     const BenchClip* motion;
 };
 
 /// The clips in use whose motions are at hand and repeat.
-std::vector<Source> sources(const Workbench& bench);
+std::vector<RepairSource> sources(const Workbench& bench);
 
 /// Plans name their clips as if the earlier ones of the same plan were there.
 class Planner {

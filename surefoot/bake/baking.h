@@ -7,7 +7,7 @@
 namespace surefoot {
 
 /// A clip on its way into a character.
-struct Source {
+struct BakeSource {
     const Motion* motion;
     const ClipFacts* facts;
     bool along_travel = false;
@@ -17,11 +17,11 @@ struct Source {
 std::vector<std::int32_t> used_clips(std::span<const ProjectSpace> spaces, std::size_t available);
 
 /// The clip that stands most nearly still: soles and standing height are read off it.
-std::size_t calmest(std::span<const Source> sources);
+std::size_t calmest(std::span<const BakeSource> sources);
 
 /// Packs the sources (those of `used`, in its order) in parallel and joins them with the spaces. `body` is the calmest
 /// of them, measured: roles, legs and standing pose come from it.
-Character bake(const std::string& name, std::span<const Source> sources, std::span<const ProjectSpace> spaces,
+Character bake(const std::string& name, std::span<const BakeSource> sources, std::span<const ProjectSpace> spaces,
                const std::vector<std::int32_t>& used, const AnalyzedClip& body, const BakeOptions& options);
 
 }  // namespace surefoot

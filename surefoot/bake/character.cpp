@@ -70,7 +70,7 @@ std::vector<std::int32_t> used_clips(std::span<const ProjectSpace> spaces, std::
     return used;
 }
 
-Character bake(const std::string& name, std::span<const Source> sources, std::span<const ProjectSpace> spaces,
+Character bake(const std::string& name, std::span<const BakeSource> sources, std::span<const ProjectSpace> spaces,
                const std::vector<std::int32_t>& used, const AnalyzedClip& body, const BakeOptions& given) {
     Character character;
     character.name = name;
@@ -145,7 +145,7 @@ std::int32_t add_clip(Character& character, const Motion& motion, const ClipFact
     return static_cast<std::int32_t>(character.graph.clips.size()) - 1;
 }
 
-std::size_t calmest(std::span<const Source> sources) {
+std::size_t calmest(std::span<const BakeSource> sources) {
     std::size_t best = 0;
     for (std::size_t i = 1; i < sources.size(); ++i)
         if (liveliness(*sources[i].facts) < liveliness(*sources[best].facts)) best = i;
@@ -155,7 +155,7 @@ std::size_t calmest(std::span<const Source> sources) {
 Character bake_character(std::span<const AnalyzedClip> clips, std::span<const ProjectSpace> spaces,
                          const std::string& name, const BakeOptions& options) {
     const std::vector<std::int32_t> used = used_clips(spaces, clips.size());
-    std::vector<Source> sources;
+    std::vector<BakeSource> sources;
     for (const std::int32_t i : used) {
         const AnalyzedClip& clip = clips[static_cast<std::size_t>(i)];
         sources.push_back({&clip.motion, &clip.facts, moves_along_facing(spaces, i, clip.facts)});

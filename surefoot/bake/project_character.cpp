@@ -48,7 +48,7 @@ Character bake_character(const Project& project, const ReadProjectFile& read, co
     parallel_for(used.size(), [&](std::size_t i) {
         motions[i] = load_project_clip(clip_at(i), read, where, project.roles, warnings[i]);
     });
-    std::vector<Source> sources;
+    std::vector<BakeSource> sources;
     for (std::size_t i = 0; i < used.size(); ++i)
         sources.push_back(
             {&motions[i], &clip_at(i).facts, moves_along_facing(project.spaces, used[i], clip_at(i).facts)});

@@ -50,12 +50,12 @@ std::vector<PhaseEvent> events_of(const GaitRhythm& rhythm, float duration) {
 }  // namespace
 
 AnalyzedClip bake_gait(const HarmonicGait& gait, float speed, float turn_deg, float fps) {
-    BakeOptions options;
+    GaitBakeOptions options;
     options.fps = fps;
     return bake_gait(gait, speed, turn_deg, options);
 }
 
-AnalyzedClip bake_gait(const HarmonicGait& gait, float speed, float turn_deg, const BakeOptions& options) {
+AnalyzedClip bake_gait(const HarmonicGait& gait, float speed, float turn_deg, const GaitBakeOptions& options) {
     const float fps = options.fps;
     check_request(gait, speed, turn_deg, fps);
     std::vector<float> values(static_cast<std::size_t>(value_count(gait)));

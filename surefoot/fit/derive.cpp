@@ -176,7 +176,7 @@ HarmonicGait shifting_weight(const HarmonicGait& standing, const WeightShift& sh
     return result;
 }
 
-HarmonicGait on_stairs(const HarmonicGait& family, const Stairs& stairs) {
+HarmonicGait on_stairs(const HarmonicGait& family, const StairSteps& stairs) {
     if (!family.family() || family.basis.travel_deg != 0)
         throw Error("it is no family that goes ahead", family.name, "fit one: surefoot fit TAKES --family");
     std::vector<float> walk(at(value_count(family)));

@@ -20,7 +20,7 @@ struct WeightShift {
 /// A standing gait that shifts its weight from foot to foot. Its cycle is `breaths` times as long.
 HarmonicGait shifting_weight(const HarmonicGait& standing, const WeightShift& shift = {});
 
-struct Stairs {
+struct StairSteps {
     float riser = 0.17f;                          ///< [m] negative: down
     float tread = 0.28f;                          ///< [m] a step each
     float walk_speed = 1;                         ///< [m/s] of the walk whose body is used
@@ -29,7 +29,7 @@ struct Stairs {
 
 /// A walking family's body on stairs: feet land flat on every tread and clear its edge, the trunk leans into the climb.
 /// Each step covers one tread at any speed. Throws Error where the gait is no family that goes ahead.
-HarmonicGait on_stairs(const HarmonicGait& family, const Stairs& stairs = {});
+HarmonicGait on_stairs(const HarmonicGait& family, const StairSteps& stairs = {});
 
 /// The same gait with the series of its feet fitted anew to feet that hold the ground exactly (fit/grounded_cycle.h):
 /// means over many strides slide and sink by centimetres, and few harmonics of a foot that stands still stand nearly

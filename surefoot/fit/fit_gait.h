@@ -86,7 +86,7 @@ void check_request(const HarmonicGait& gait, float speed, float turn_deg, float 
 AnalyzedClip bake_gait(const HarmonicGait& gait, float speed, float turn_deg, float fps = 60);
 
 /// The same with sliders and on a slope [deg, positive uphill] (harmonic/gait_style.h).
-struct BakeOptions {
+struct GaitBakeOptions {
     GaitStyle style;
     float slope_deg = 0;
     float fps = 60;
@@ -94,6 +94,6 @@ struct BakeOptions {
     /// nothing on slopes and stairs, and of a gait without feet.
     bool grounded = false;
 };
-AnalyzedClip bake_gait(const HarmonicGait& gait, float speed, float turn_deg, const BakeOptions& options);
+AnalyzedClip bake_gait(const HarmonicGait& gait, float speed, float turn_deg, const GaitBakeOptions& options);
 
 }  // namespace surefoot

@@ -31,12 +31,12 @@ float height(const AnalyzedClip& clip, Role role) {
 }
 
 AnalyzedClip styled(const HarmonicGait& gait, const GaitStyle& style, float speed) {
-    return bake_gait(gait, speed, 0, BakeOptions{style, 0, 60});
+    return bake_gait(gait, speed, 0, GaitBakeOptions{style, 0, 60});
 }
 
 TEST(GaitStyle, sliders_at_rest_change_nothing) {
     const HarmonicGait walk = fitted_gait("walk");
-    const AnalyzedClip plain = bake_gait(walk, 1.2f, 30), same = bake_gait(walk, 1.2f, 30, BakeOptions{});
+    const AnalyzedClip plain = bake_gait(walk, 1.2f, 30), same = bake_gait(walk, 1.2f, 30, GaitBakeOptions{});
     for (std::size_t i = 0; i < plain.motion.locals.size(); ++i)
         EXPECT_LT(distance(plain.motion.locals[i].translation, same.motion.locals[i].translation), 1e-5f);
 }
@@ -105,14 +105,14 @@ TEST(GaitStyle, a_slope_is_followed_by_root_and_feet) {
     const HarmonicGait walk = fitted_gait("walk");
     for (const float slope : {-20.0f, -8.0f, 8.0f, 20.0f}) {
         const auto rise = static_cast<float>(tan(static_cast<double>(slope) * k_pi / 180));
-        const AnalyzedClip clip = bake_gait(walk, 1.1f, 0, BakeOptions{{}, slope, 60});
+        const AnalyzedClip clip = bake_gait(walk, 1.1f, 0, GaitBakeOptions{{}, slope, 60});
         const Vec3 end = clip.motion.root.back().position;
         EXPECT_NEAR(end.y, rise * end.z, 1e-3f);
         EXPECT_GT(lowest_sole(clip, rise), -0.05f) << slope;
         EXPECT_LT(lowest_sole(clip, rise), 0.02f) << slope;
     }
     const auto lean = [&](float slope) {
-        const AnalyzedClip clip = bake_gait(walk, 1.1f, 0, BakeOptions{{}, slope, 60});
+        const AnalyzedClip clip = bake_gait(walk, 1.1f, 0, GaitBakeOptions{{}, slope, 60});
         const std::vector<Transform> models = models_of(clip, 0);
         return models[static_cast<std::size_t>(clip.roles.roles[Role::neck])].translation.z -
                models[static_cast<std::size_t>(clip.legs.hips)].translation.z;

@@ -147,7 +147,7 @@ TEST(GroundedCycle, bakes_of_personalities_keep_to_the_floor_and_their_rhythm) {
     for (const Personality& personality : bundled_personalities())
         for (const float speed : {0.5f, 1.0f, 1.5f, 3.0f}) {
             SCOPED_TRACE(testing::Message() << personality.name << " " << speed);
-            BakeOptions options{personality.style};
+            GaitBakeOptions options{personality.style};
             const AnalyzedClip own = bake_gait(gait, speed, 20, options);
             options.grounded = true;
             const AnalyzedClip clip = bake_gait(gait, speed, 20, options);
@@ -166,7 +166,7 @@ TEST(GroundedCycle, bakes_of_personalities_keep_to_the_floor_and_their_rhythm) {
 TEST(GroundedCycle, bakes_on_slopes_and_stairs_are_the_gait_s_own) {
     for (const float slope : {0.0f, 8.0f}) {
         const HarmonicGait gait = fitted_gait(slope == 0 ? "stairs_up" : "walk");
-        BakeOptions options;
+        GaitBakeOptions options;
         options.slope_deg = slope;
         const AnalyzedClip own = bake_gait(gait, 0.6f, 0, options);
         options.grounded = true;

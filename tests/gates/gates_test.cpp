@@ -125,6 +125,15 @@ TEST(LayeringGate, stops_ways_around_it) {
     EXPECT_EQ(breaches.size(), 5u) << joined(breaches);
 }
 
+TEST(TypesGate, our_types_are_defined_once) { EXPECT_EQ(joined(doubled_types(k_ours)), ""); }
+
+TEST(TypesGate, sees_types_that_two_files_define) {
+    const auto doubled = doubled_types(bad_tree("types"));
+    EXPECT_EQ(doubled.size(), 2u) << joined(doubled);
+    EXPECT_MENTIONS(doubled, "surefoot/rig/plan.cpp:4: surefoot::Source is defined at surefoot/math/bake.h:6, too");
+    EXPECT_MENTIONS(doubled, "surefoot::Stairs");
+}
+
 TEST(LibmGate, our_sources_call_no_transcendental_of_libm) { EXPECT_EQ(joined(libm_calls(k_ours)), ""); }
 
 TEST(LibmGate, stops_every_way_of_calling_one) {

@@ -356,6 +356,39 @@ std::vector<Room> rooms_of(const fs::path& root) {
 
 std::vector<std::string> layering_breaches(const fs::path& root) { return Layering(root).breaches(); }
 
+std::vector<std::string> doubled_types(const fs::path& root) {
+    // Formatted as ours are, what stands in a namespace is not indented.
+    static const std::regex opened(R"(^(?:inline )?namespace ?([\w:]*) ?\{)"), closed(R"(^\}  // namespace)");
+    static const std::regex type(
+        R"(^(?:template <.*> ?)?(?:struct|class|union|enum(?: class)?) (\w+)(?: final)?(?: :[^;]*)? ?\{)");
+    std::map<std::string, std::string> seen;
+    std::vector<std::string> breaches;
+    for (const Source& source : sources_of(root)) {
+        std::vector<std::string> inside;
+        std::istringstream lines(source.text);
+        std::size_t number = 0;
+        for (std::string line; std::getline(lines, line);) {
+            ++number;
+            std::smatch match;
+            if (std::regex_search(line, match, opened)) {
+                inside.push_back(match[1]);
+            } else if (std::regex_search(line, closed) && !inside.empty()) {
+                inside.pop_back();
+            } else if (std::regex_search(line, match, type) &&
+                       std::find(inside.begin(), inside.end(), "") == inside.end()) {
+                std::string name;
+                for (const std::string& each : inside) name += each + "::";
+                name += match[1];
+                const std::string here = source.path + ":" + std::to_string(number);
+                const auto [before, first] = seen.emplace(name, here);
+                if (!first)
+                    breaches.push_back(here + ": " + name + " is defined at " + before->second + ", too; rename one");
+            }
+        }
+    }
+    return breaches;
+}
+
 std::vector<std::string> libm_calls(const fs::path& root) {
     static const std::regex call(R"(\b(?:__builtin_)?([A-Za-z]\w*)\s*\()");
     static const std::regex taken(R"(\bstd\s*::\s*(\w+)\b)");  // also without a call: using std::sin, &std::sin

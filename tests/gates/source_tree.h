@@ -20,6 +20,10 @@ std::vector<Room> rooms_of(const std::filesystem::path& root);
 /// headers in a runtime room, no third party in a public header, no cycle between files, no way around the gate.
 std::vector<std::string> layering_breaches(const std::filesystem::path& root);
 
+/// Types of one name in one namespace that two files define, unnamed namespaces left out. What the compiler makes of
+/// them by itself (copies, `std::vector` of one) then has one symbol, and the linker keeps either: undefined behaviour.
+std::vector<std::string> doubled_types(const std::filesystem::path& root);
+
 /// Calls of libm's transcendental functions under surefoot/ (ours are in math/trig.h): they differ between systems.
 std::vector<std::string> libm_calls(const std::filesystem::path& root);
 
