@@ -25,33 +25,36 @@ float ground_height(const Ground& ground, Vec3 p, Vec3* normal = nullptr) {
 }
 
 /// Height of the ground that a sole point stands on. A sole is no set of points: where one hangs over an edge, or is
-/// cut by one, by a centimetre, the foot stands on that side of it which is nearer to its own height.
-float standing_height(const Ground& ground, Vec3 p) {
+/// cut by one, by a centimetre, the foot stands on that side of it which is nearer to its own height, less what the
+/// clip itself has it above flat ground: `own` [m]. A heel that peels off is not on the higher tile beside it.
+float standing_height(const Ground& ground, Vec3 p, float own) {
     constexpr float k_beside = 0.015f, k_edge = 0.02f;  // [m] how near an edge counts, and from which height
     constexpr int k_directions = 8;
-    const float under = ground_height(ground, p);
+    const float under = ground_height(ground, p), level = p.y - own;
     float nearest = under;
     for (int d = 0; d < k_directions; ++d) {
         const float angle = static_cast<float>(2 * k_pi) * static_cast<float>(d) / k_directions;
         const float there = ground_height(ground, p + Vec3{sin(angle), 0, cos(angle)} * k_beside);
-        if (std::fabs(there - under) > k_edge && std::fabs(there - p.y) < std::fabs(nearest - p.y)) nearest = there;
+        if (std::fabs(there - under) > k_edge && std::fabs(there - level) < std::fabs(nearest - level)) nearest = there;
     }
     return nearest;
 }
 
-/// Angle between a sole and the ground under its heel and ball, degrees.
-double sole_angle(const LegTrack& leg, const Ground& ground) {
+/// Angle between a sole and the ground under its heel and ball, degrees. `twin` tells the clip's own heights of them.
+double sole_angle(const LegTrack& leg, const LegTrack& twin, const Ground& ground) {
     const Vec3 heel = leg.sole[0], ball = leg.sole[2];
+    const float own_heel = std::max(0.0f, twin.sole[0].y), own_ball = std::max(0.0f, twin.sole[2].y);
     const Vec3 forward = normalized(Vec3{ball.x - heel.x, 0, ball.z - heel.z}), side{forward.z, 0, -forward.x};
     const float run = planar_length(ball - heel);
     if (run < 1e-4f) return 0;
-    const float rise = (standing_height(ground, ball) - standing_height(ground, heel)) / run;
+    const float rise = (standing_height(ground, ball, own_ball) - standing_height(ground, heel, own_heel)) / run;
     // Beside heel and ball, where it bears, in the sole's own plane.
     const float lean = -dot(leg.sole_up, side) / std::max(leg.sole_up.y, 0.1f);
     const Vec3 reach = (side + k_up * lean) * k_roll_reach;
-    float roll = 0;
-    for (const Vec3 p : {heel, ball})
-        roll += (standing_height(ground, p + reach) - standing_height(ground, p - reach)) / (4 * k_roll_reach);
+    const auto roll_at = [&](Vec3 p, float own) {
+        return (standing_height(ground, p + reach, own) - standing_height(ground, p - reach, own)) / (4 * k_roll_reach);
+    };
+    const float roll = roll_at(heel, own_heel) + roll_at(ball, own_ball);
     const Vec3 normal = cross(forward + k_up * rise, side + k_up * roll);
     const Vec3 across = cross(normal, leg.sole_up);
     return atan2(static_cast<double>(length(across)), static_cast<double>(dot(normal, leg.sole_up))) * k_degrees;
@@ -106,9 +109,9 @@ void Measurement::floating_point(std::size_t side, std::size_t point, const Mask
     for (std::size_t i = first_; i < end_; ++i) {
         if (!mask[i]) continue;
         const Vec3 p = walked_.frames[i].legs[side].sole[point];
-        const double above = static_cast<double>(p.y - standing_height(ground_, p));
-        const double floating =
-            std::max(0.0, above - static_cast<double>(twin_.frames[i].legs[side].sole[point].y)) * k_cm;
+        const float own = twin_.frames[i].legs[side].sole[point].y;
+        const auto above = static_cast<double>(p.y - own - standing_height(ground_, p, std::max(0.0f, own)));
+        const double floating = std::max(0.0, above) * k_cm;
         float_ += floating;
         result.float_max_cm = std::max(result.float_max_cm, floating);
     }
@@ -125,7 +128,7 @@ void Measurement::contacts() {
         }
         for (std::size_t i = first_; i < end_; ++i) {
             if (!masks[0][i] || !masks[2][i]) continue;  // heel and ball
-            const double angle = sole_angle(walked_.frames[i].legs[side], ground_);
+            const double angle = sole_angle(walked_.frames[i].legs[side], twin_.frames[i].legs[side], ground_);
             angles += angle;
             ++angle_count;
             result.sole_angle_worst_deg = std::max(result.sole_angle_worst_deg, angle);

@@ -103,6 +103,17 @@ TEST(Metrics, a_heel_just_over_an_edge_stands_with_its_foot_and_one_that_is_out_
     EXPECT_NEAR(far.float_max_cm, 17, 0.1);
 }
 
+TEST(Metrics, a_heel_that_peels_off_as_in_the_clip_is_not_on_the_higher_tile_beside_it) {
+    // Heels are 1.2 cm up, and 1 cm from a band 2.1 cm high.
+    WalkTrack twin = stepping();
+    for (TrackFrame& frame : twin.frames)
+        for (LegTrack& leg : frame.legs) leg.sole[0].y += 0.012f;
+    const Bands beside(0.021f, 0, {{-9, -0.06f}});
+    const WalkMetrics m = measure_walk(twin, twin, beside, {});
+    EXPECT_NEAR(m.sole_angle_worst_deg, 0, 1e-3);
+    EXPECT_NEAR(m.float_max_cm, 0, 1e-3);
+}
+
 TEST(Metrics, a_heel_in_a_riser_and_a_hair_deep_in_its_tread_is_as_deep_as_the_riser_is_near) {
     const Stairs stairs(0.17f, 0.28f, 0, 3);
     EXPECT_NEAR(depth_in_ground(stairs, {0, 0.169f, 0.29f}), 0.01f, 2e-3f);
