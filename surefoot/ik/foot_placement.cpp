@@ -18,7 +18,7 @@ constexpr float k_fade_stiffness = 20;  // [1/s] of the spring on the weight: ni
 constexpr float k_faded = 2e-3f;        // as good as there: half a millimetre of a foot 25 cm off
 constexpr float k_flat = 0.035f, k_most_drift = 0.1f;  // of the leg's length
 constexpr float k_rest_stiffness = 14;                 // [1/s]
-constexpr float k_hold = 12;                           // [1/s]
+constexpr float k_hold = 40;                           // [1/s]
 constexpr float k_lean_stiffness = 6;                  // [1/s]
 constexpr float k_spring_step = 1.0f / 60;             // [s] the forecast's step: longer frames are cut into such
 

@@ -13,7 +13,8 @@ constexpr int k_standing_samples = 5;       // a stance that begins this soon is
 constexpr double k_same_strike = 0.05;      // [s] a coming foothold that moved less than this
 constexpr float k_same_place = 0.02f;       // [m] and this is kept: replanning for noise costs smoothness
 constexpr float k_no_move = 0.003f;         // [m] less is none
-constexpr double k_late = 0.3;              // [s] before the strike: no other foothold is sought out
+constexpr double k_late = 0.3;              // [s] before the strike: no wholly other foothold is sought out
+constexpr float k_settle_share = 0.5f;      // of the search, that a foot so late may still go to from the one it has
 constexpr double k_committed = 0.17;        // [s] before a strike a step of a held foot is not turned aside
 constexpr float k_flicker = 0.08f;          // [m] a contact this near the plant just left is its end, not a landing
 constexpr double k_longest_passing = 0.35;  // [s] after the strike, where the root's passing is not in sight
@@ -43,6 +44,8 @@ class Planner {
     const Leg& leg(std::size_t side) const noexcept { return rig_.legs.side[side]; }
     float leg_length(std::size_t side) const noexcept { return leg(side).length(); }
     Plant make_plant(std::size_t side, const ContactRun& run) const noexcept;
+    Plant settle(std::size_t side, const ContactRun& run, const Plant& sought, double left) const noexcept;
+    Plant completed(std::size_t side, const ContactRun& run, Plant plant) const noexcept;
     void start_foot(std::size_t side) noexcept;
     void plan_stance(std::size_t side) noexcept;
     void plan_swing(std::size_t side, const ContactRun& landing) noexcept;
@@ -63,8 +66,25 @@ class Planner {
 
 Plant Planner::make_plant(std::size_t side, const ContactRun& run) const noexcept {
     const FootSettings& s = rig_.settings;
-    Plant plant =
-        find_foothold(forecast_.footprint(side, run, leg_length(side)), probe_, s.search_along, s.search_across);
+    const Footprint foot = forecast_.footprint(side, run, leg_length(side));
+    return completed(side, run, find_foothold(foot, probe_, s.search_along, s.search_across));
+}
+
+/// A foot turns on its way in curves: the place that was sought out for it, or a better one near it for the foot as it
+/// will stand there now. The less time there is to go there, the nearer.
+Plant Planner::settle(std::size_t side, const ContactRun& run, const Plant& sought, double left) const noexcept {
+    const FootSettings& s = rig_.settings;
+    const Footprint foot = forecast_.footprint(side, run, leg_length(side));
+    const float share = k_settle_share * static_cast<float>(std::clamp(left / k_late, 0.0, 1.0));
+    Footprint there = foot;
+    there.centre = {sought.foothold.x, 0, sought.foothold.z};
+    Plant plant = find_foothold(there, probe_, share * s.search_along, share * s.search_across);
+    plant.centre = foot.centre;
+    return completed(side, run, plant);
+}
+
+/// A foothold with all else that its plant has.
+Plant Planner::completed(std::size_t side, const ContactRun& run, Plant plant) const noexcept {
     const double middle =
         forecast_.time(run.first) +
         std::min(0.5 * static_cast<double>(run.last - run.first) / Forecast::k_rate, k_longest_passing);
@@ -141,14 +161,13 @@ void Planner::replan_swing(std::size_t side) noexcept {
     const FootState before = foot;
     if (same && planar_length(foot_there.centre - foot.next.centre) < k_no_move) return;
     plan_swing(side, run);
-    // A foot that comes from a little elsewhere, or is nearly there, keeps a foothold that was sought out.
+    // A foot that comes from a little elsewhere, or is nearly there, keeps about to a foothold that was sought out.
     const bool late = foot.strike - now < k_late &&
                       planar_length(foot.next.centre - before.next.foothold) < rig_.settings.search_along;
     if ((same || late) && is_sought_out(before.next)) {
-        const Vec3 centre = foot.next.centre, heading = foot.next.heading;
-        foot.next = before.next;
-        foot.next.centre = centre;
-        foot.next.heading = heading;
+        const bool held = foot.next.held;
+        foot.next = settle(side, run, before.next, foot.strike - now);
+        foot.next.held = held;
     }
     const double share = (now - before.lift) / (before.strike - before.lift);
     // The same share of the new swing has passed.

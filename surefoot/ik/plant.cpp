@@ -35,11 +35,19 @@ struct Fit {
 
 float square(float x) noexcept { return x * x; }
 
+/// What the ground rises from one side of a foot to the other, at its heel and at its ball: the mean, but an edge under
+/// one of the four corners is no slope to roll with.
+float common_rise(float at_heel, float at_ball) noexcept {
+    if (std::fabs(at_heel - at_ball) < k_edge) return 0.5f * (at_heel + at_ball);
+    if (at_heel * at_ball <= 0) return 0;
+    return std::fabs(at_heel) < std::fabs(at_ball) ? at_heel : at_ball;
+}
+
 /// Pitch from heel and ball, roll from the slopes beside both.
 Fit fit_plane(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundProbe& probe) noexcept {
     Fit fit;
     float cosine = 1, heel = 0, ball = 0;
-    const Vec3 side = lateral * foot.half_width;
+    const Vec3 side = lateral * (k_bearing_side * foot.half_width);
     for (int round = 0; round < k_fit_rounds; ++round) {
         const Vec3 half = foot.forward * (foot.half_length * cosine);
         heel = probe.height(centre.x - half.x, centre.z - half.z);
@@ -55,7 +63,7 @@ Fit fit_plane(const Footprint& foot, Vec3 centre, Vec3 lateral, const GroundProb
                                      centre + half - side};
     std::array<float, 4> h;
     probe.heights(beside, h);
-    fit.rise_across = ((h[0] - h[1]) + (h[2] - h[3])) / (4 * foot.half_width);
+    fit.rise_across = common_rise(h[0] - h[1], h[2] - h[3]) / (2 * length(side));
     fit.height = 0.5f * (heel + ball);
     return fit;
 }

@@ -87,6 +87,14 @@ TEST(SteeredWalk, feet_stay_on_the_hills_where_steering_changes_without_notice) 
     EXPECT_LT(c.walked[2].plans, 120);  // a few more than once a step
 }
 
+TEST(SteeredWalk, soles_lie_flat_on_rubble_though_feet_turn_on_their_way_and_drift_where_they_stand) {
+    const Course rubble = make_course("rubble");
+    SteeredWalker walker(generated_clip("walk"), slalom);
+    const auto measured = [&](float speed) { return compare_modes(walker, *rubble.ground, speed, 14).metrics[2]; };
+    EXPECT_LT(measured(1.4f).sole_angle_deg, 0.45);
+    EXPECT_LT(measured(1.1f).sole_angle_worst_deg, 6);
+}
+
 TEST(SteeredWalk, replanning_in_mid_swing_makes_no_jump) {
     const Course hills = make_course("hills");
     SteeredWalker steered(generated_clip("walk"), slalom),

@@ -82,6 +82,17 @@ TEST(Foothold, on_tiles_of_all_heights_soles_lie_on_what_is_under_heel_and_ball_
     EXPECT_LE(crooked, 3);
 }
 
+TEST(Foothold, an_edge_under_one_corner_is_no_slope_to_roll_with) {
+    // The band's edge cuts off the right corner of the ball: 3 cm there, nothing under heel, ball and the other three.
+    const Bands corner(0.03f, 1, {{0.1f, 9}});
+    const Footprint foot = foot_at(0, 0);
+    const Plant plant = find_foothold(foot, probe_of(corner), 0, 0);
+    EXPECT_NEAR(plant.foothold.y, 0, 1e-6f);
+    EXPECT_GT(rotate(plant.tilt, k_up).y, 1 - 1e-6f);
+    const Plane slope(0.2f, 0, 0);  // what both ends have is
+    EXPECT_NEAR(rotate(find_foothold(foot, probe_of(slope), 0, 0).tilt, k_up).y, 1 / std::sqrt(1.04f), 1e-4f);
+}
+
 TEST(Foothold, below_a_high_edge_there_is_room_behind_the_heel_to_come_down_in) {
     constexpr float k_edge = 3;
     const auto behind = [&](float drop, float heel) {
