@@ -1,3 +1,4 @@
+#include <surefoot/clip/foot_keys.h>
 #include <surefoot/clip/kernels.h>
 #include <surefoot/clip/sample.h>
 
@@ -328,24 +329,32 @@ float foot_age_at(const PackedClip& clip, Side side, float time) noexcept {
     return foot_age(steps[at], steps[(at + 1) % steps.size()], elapsed);
 }
 
-FootKey foot_key_at(const PackedClip& clip, Side side, float time) noexcept {
+FootKeyPlace foot_key_place(const PackedClip& clip, Side side, float time, FootKey& made) noexcept {
     const FootPrints& track = clip.feet[static_cast<std::size_t>(side)];
     if (track.keys.empty()) {
         float values[k_foot_numbers];
         curve_values(track.small.curves, share_at(clip, time), values);
         const FootKey& middle = track.small.middle;
-        return {
+        made = {
             {turned(middle.print.rotation, values), middle.print.translation + Vec3{values[3], values[4], values[5]}},
             turned(middle.toes, values + 6),
             foot_age_at(clip, side, std::min(std::max(0.0f, time), clip.duration()))};
+        return {&made, &made, 0};
     }
     const Keys keys = keys_at(clip, time);
-    const FootKey& a = track.keys[static_cast<std::size_t>(keys.from)];
-    const FootKey& b = track.keys[static_cast<std::size_t>(keys.from) + 1];
-    return {{nlerp(a.print.rotation, b.print.rotation, keys.share),
-             lerp(a.print.translation, b.print.translation, keys.share)},
-            nlerp(a.toes, b.toes, keys.share),
-            a.age + (b.age - a.age) * keys.share};
+    const FootKey* from = track.keys.data() + static_cast<std::size_t>(keys.from);
+    return {from, from + 1, keys.share};
+}
+
+FootKey foot_key_at(const PackedClip& clip, Side side, float time) noexcept {
+    FootKey made;
+    const FootKeyPlace place = foot_key_place(clip, side, time, made);
+    if (place.from == &made) return made;
+    const FootKey &a = *place.from, &b = *place.to;
+    return {{nlerp(a.print.rotation, b.print.rotation, place.share),
+             lerp(a.print.translation, b.print.translation, place.share)},
+            nlerp(a.toes, b.toes, place.share),
+            a.age + (b.age - a.age) * place.share};
 }
 
 }  // namespace surefoot

@@ -41,17 +41,17 @@ class CrowdLanes {
     void add(std::size_t character, const LocomotionFrame& frame) noexcept {
         const std::span<Transform> mine =
             crowd_.locals.empty() ? of(scratch_.locals_, count_) : crowd_.locals.subspan(character * joints_, joints_);
-        if (lays_feet_)
-            scratch_.frames_[count_] = frame;
-        else
-            pose(graph_, frame, mine);
+        scratch_.frames_[count_] = frame;
         character_[count_] = character;
         pose_[count_] = mine.data();
         if (++count_ == k_eight) flush();
     }
     void flush() noexcept {
         if (count_ == 0) return;
-        if (lays_feet_) lay_feet();
+        if (lays_feet_)
+            pose_on_ground();
+        else
+            poses(graph_, std::span(scratch_.frames_).first(count_), std::span(pose_).first(count_));
         if (!crowd_.matrices.empty()) write_matrices();
         count_ = 0;
     }
@@ -60,35 +60,51 @@ class CrowdLanes {
     std::span<Transform> of(std::vector<Transform>& poses, std::size_t lane) const noexcept {
         return {poses.data() + lane * joints_, joints_};
     }
-    void lay_feet() noexcept {
+    void pose_on_ground() noexcept {
+        std::array<FootBlend, k_eight> blends;
+        std::array<FootPlans, k_eight> plans;
+        for (std::size_t lane = 0; lane < count_; ++lane) {
+            blends[lane] = foot_blend_of(scratch_.frames_[lane]);
+            pose_without_feet(graph_, scratch_.frames_[lane], {pose_[lane], joints_});
+        }
+        plan_feet(graph_.legs, graph_.clips, std::span(blends).first(count_), plans);
+        lay_feet(plans);
+    }
+    void lay_feet(const std::array<FootPlans, k_eight>& plans) noexcept {
         std::array<CrowdFeetStep, k_eight> steps;
-        std::array<bool, k_eight> known;
         std::array<GroundQuery, 2 * k_eight> queries;
         std::array<GroundHit, 2 * k_eight> hits;
         std::array<std::size_t, k_eight + 1> first{};
         for (std::size_t lane = 0; lane < count_; ++lane) {
             const std::size_t c = character_[lane];
-            known[lane] = steps[lane].plan(graph_.legs, graph_.clips, foot_blend_of(scratch_.frames_[lane]));
             first[lane + 1] = first[lane];
-            if (known[lane])
-                first[lane + 1] += static_cast<std::size_t>(steps[lane].ask(graph_.legs, crowd_.feet[c],
+            if (plans[lane].known)
+                first[lane + 1] += static_cast<std::size_t>(steps[lane].ask(graph_.legs, plans[lane], crowd_.feet[c],
                                                                             crowd_.roots[c], crowd_.feet_settings,
                                                                             std::span(queries).subspan(first[lane])));
         }
         const std::size_t count = first[count_];
         crowd_.ground->query(std::span(queries).first(count), std::span(hits).first(count));
-        for (std::size_t lane = 0; lane < count_; ++lane) {
-            const std::size_t c = character_[lane];
-            const std::span<Transform> locals{pose_[lane], joints_};
-            const LocomotionFrame& frame = scratch_.frames_[lane];
-            if (!known[lane]) {
-                pose(graph_, frame, locals);
-                continue;
+        // Legs are run forward and solved four characters at a time.
+        LegLanes legs(scratch_.legs_);
+        std::array<std::size_t, LegLanes::k_poses> lanes;
+        const auto reach = [&]() noexcept {
+            legs.run_forward();
+            for (std::size_t i = 0; i < static_cast<std::size_t>(legs.count()); ++i) {
+                const std::size_t lane = lanes[i], c = character_[lane];
+                steps[lane].place(graph_.legs, plans[lane], crowd_.feet[c], crowd_.roots[c],
+                                  std::span(hits).subspan(first[lane]), dt_ * static_cast<float>(period(crowd_, c)),
+                                  crowd_.feet_settings, legs, static_cast<int>(i));
             }
-            pose_without_feet(graph_, frame, locals);
-            steps[lane].place(graph_.legs, crowd_.feet[c], crowd_.roots[c], std::span(hits).subspan(first[lane]),
-                              dt_ * static_cast<float>(period(crowd_, c)), crowd_.feet_settings, locals);
+            legs.reach();
+            legs.clear();
+        };
+        for (std::size_t lane = 0; lane < count_; ++lane) {
+            if (!plans[lane].known) continue;
+            lanes[static_cast<std::size_t>(legs.add({pose_[lane], joints_}))] = lane;
+            if (legs.full()) reach();
         }
+        if (legs.count() > 0) reach();
     }
     void write_matrices() noexcept {
         const Transform* from[k_lanes];
@@ -121,7 +137,8 @@ class CrowdLanes {
 };
 
 CrowdScratch::CrowdScratch(const LocomotionGraph& graph)
-    : frames_(k_eight),
+    : legs_(make_leg_chains(graph.legs)),
+      frames_(k_eight),
       locals_(k_eight * graph.skeleton->rest.size()),
       idle_(graph.skeleton->rest.size()),
       models_(model_scratch_floats(graph.skeleton->joint_count()) + k_alignment / sizeof(float)) {}

@@ -55,7 +55,8 @@ class CrowdScratch {
 
   private:
     friend class CrowdLanes;
-    std::vector<LocomotionFrame> frames_;  // of eight whose feet are laid
+    LegChains legs_;
+    std::vector<LocomotionFrame> frames_;  // of eight
     std::vector<Transform> locals_;        // of eight
     std::vector<Matrix34> idle_;           // where idle lanes write
     std::vector<float> models_;

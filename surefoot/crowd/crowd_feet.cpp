@@ -65,19 +65,15 @@ Transform laid(const LegPaths::Side& leg, const Transform& foot, const GroundPla
 
 }  // namespace
 
-bool CrowdFeetStep::plan(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend) noexcept {
-    return plan_feet(paths, clips, blend, plan_);
-}
-
-int CrowdFeetStep::ask(const LegPaths& paths, CrowdFeet& feet, const RootFrame& root, const CrowdFeetSettings& settings,
-                       std::span<GroundQuery> queries) noexcept {
+int CrowdFeetStep::ask(const LegPaths& paths, const FootPlans& plans, CrowdFeet& feet, const RootFrame& root,
+                       const CrowdFeetSettings& settings, std::span<GroundQuery> queries) noexcept {
     constexpr float k_dragged = 0.1f;  // [m] farther from its place a standing foot stands elsewhere
     const Transform frame = to_transform(root);
     int count = 0;
     is_new_ = feet.foot[0].share < 0;
     for (std::size_t side = 0; side < 2; ++side) {
         CrowdFoot& foot = feet.foot[side];
-        const FootPlan& plan = plan_[side];
+        const FootPlan& plan = plans.side[side];
         centre_[side] = transform_point(frame, sole_centre(paths.side[side], plan.now.foot));
         const bool strikes = !plan.steps || plan.share < foot.share;
         if (strikes) foot.from = foot.to;
@@ -87,7 +83,7 @@ int CrowdFeetStep::ask(const LegPaths& paths, CrowdFeet& feet, const RootFrame& 
         lands_[side] = is_new_ || dragged;
         asks_[side] = lands_[side] || plan.swings();
         if (!asks_[side]) continue;
-        asked_[side] = plan.swings() && !is_new_ ? transform_point(frame, sole_centre(paths.side[side], plan.next))
+        asked_[side] = plan.swings() && !is_new_ ? transform_point(frame, sole_centre(paths.side[side], plan.next.foot))
                                                  : centre_[side];
         queries[static_cast<std::size_t>(count++)] = {
             {asked_[side].x, root.position.y, asked_[side].z}, settings.up, settings.down};
@@ -95,8 +91,9 @@ int CrowdFeetStep::ask(const LegPaths& paths, CrowdFeet& feet, const RootFrame& 
     return count;
 }
 
-void CrowdFeetStep::place(const LegPaths& paths, CrowdFeet& feet, RootFrame& root, std::span<const GroundHit> hits,
-                          float dt, const CrowdFeetSettings& settings, std::span<Transform> locals) noexcept {
+void CrowdFeetStep::place(const LegPaths& paths, const FootPlans& plans, CrowdFeet& feet, RootFrame& root,
+                          std::span<const GroundHit> hits, float dt, const CrowdFeetSettings& settings, LegLanes& legs,
+                          int pose) noexcept {
     std::array<GroundPlane, 2> ground;
     std::size_t answer = 0;
     for (std::size_t side = 0; side < 2; ++side) {
@@ -106,23 +103,24 @@ void CrowdFeetStep::place(const LegPaths& paths, CrowdFeet& feet, RootFrame& roo
             foot.to = plane_of(hits[answer++], asked_[side], otherwise, settings.steepest);
             if (lands_[side]) foot.from = foot.to;
         }
-        ground[side] = ground_under(foot, plan_[side], centre_[side]);
+        ground[side] = ground_under(foot, plans.side[side], centre_[side]);
     }
     const Quat heading = from_yaw(root.yaw);
     const float middle = 0.5f * (ground[0].height + ground[1].height);
     std::array<FootGoal, 2> goals;
     for (std::size_t side = 0; side < 2; ++side) {
-        goals[side] = {laid(paths.side[side], plan_[side].now.foot, ground[side], heading), plan_[side].now.toes};
+        goals[side] = {laid(paths.side[side], plans.side[side].now.foot, ground[side], heading),
+                       plans.side[side].now.toes};
         goals[side].foot.translation.y -= middle;
     }
     constexpr float k_reach = 0.99f;
-    const float target = middle - sink_to_reach(paths, goals, k_reach, locals);
+    const float target = middle - legs.sink_to_reach(pose, goals, k_reach);
     HeightSpring height{is_new_ ? target : root.position.y, feet.rise};
     if (!is_new_) height.step(target, 2 / settings.rise, dt);
     root.position.y = height.value;
     feet.rise = height.rate;
     for (FootGoal& goal : goals) goal.foot.translation.y += middle - root.position.y;
-    reach_feet(paths, goals, locals);
+    legs.set_goals(pose, goals);
 }
 
 }  // namespace surefoot

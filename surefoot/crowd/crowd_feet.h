@@ -7,7 +7,7 @@
 // Who is looked at closely is placed by ik/foot_placement.h, which goes around edges, rolls soles over them and limits
 // paces; here soles may cut a stair's edge.
 
-#include <surefoot/graph/foot_blend.h>
+#include <surefoot/graph/foot_lanes.h>
 #include <surefoot/ground/ground.h>
 
 namespace surefoot {
@@ -39,20 +39,20 @@ struct CrowdFeetSettings {
     float rise = 0.12f;     ///< [s] [Limit: > 0] in which the body follows the ground under its feet
 };
 
-/// One character's feet in one frame; `ask`, then the ground's answers, then `place`.
+/// One character's feet in one frame, its plans known: `ask`, then the ground's answers, then `place` with its legs run
+/// forward.
 class CrowdFeetStep {
   public:
-    /// Plans both feet of a frame. False where its clips know none; the rest is then not to be called.
-    bool plan(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend) noexcept;
     /// Appends what has to be asked to `queries`, two at most, and returns how many.
-    int ask(const LegPaths& paths, CrowdFeet& feet, const RootFrame& root, const CrowdFeetSettings& settings,
-            std::span<GroundQuery> queries) noexcept;
-    /// Moves the root up or down and the legs of `locals`, a pose without feet, for `dt` seconds since the last time.
-    void place(const LegPaths& paths, CrowdFeet& feet, RootFrame& root, std::span<const GroundHit> hits, float dt,
-               const CrowdFeetSettings& settings, std::span<Transform> locals) noexcept;
+    int ask(const LegPaths& paths, const FootPlans& plans, CrowdFeet& feet, const RootFrame& root,
+            const CrowdFeetSettings& settings, std::span<GroundQuery> queries) noexcept;
+    /// Moves the root up or down, for `dt` seconds since the last time, and says where the feet of that pose of `legs`
+    /// shall be.
+    void place(const LegPaths& paths, const FootPlans& plans, CrowdFeet& feet, RootFrame& root,
+               std::span<const GroundHit> hits, float dt, const CrowdFeetSettings& settings, LegLanes& legs,
+               int pose) noexcept;
 
   private:
-    std::array<FootPlan, 2> plan_;
     std::array<Vec3, 2> centre_;  // of each sole, world
     std::array<Vec3, 2> asked_;   // where the ground is asked for
     std::array<bool, 2> asks_{}, lands_{};

@@ -71,21 +71,30 @@ struct FootPlan {
     bool steps = false;   ///< false: it stands for good, and the rest means nothing
     float share = 0;      ///< [0, 1) of the way from its strike to its next
     float stance = 0.6f;  ///< (0, 1) share at which it leaves the ground
-    Transform next;       ///< of a foot that swings: the middle of its next stance, seen from the root as it is now
+    FootGoal next;        ///< of a foot that swings: the middle of its next stance, seen from the root as it is now
     bool swings() const noexcept { return steps && share >= stance; }
 };
 
-/// Both feet of a blend, if it goes on as it does now. False where one of the clips has no foot track.
-bool plan_feet(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
-               std::array<FootPlan, 2>& feet) noexcept;
+struct FootPlans {
+    bool known = false;  ///< false where one of the clips has no foot track; the rest is then not set
+    std::array<FootPlan, 2> side;
+};
 
-/// How far a body would have to sink [m] >= 0 for both feet to be within `reach` (a share) of its legs' length.
-float sink_to_reach(const LegPaths& paths, const std::array<FootGoal, 2>& feet, float reach,
-                    std::span<const Transform> locals) noexcept;
+/// Both feet of each blend, if it goes on as it does now. The more at once the better: feet are computed eight at a
+/// time.
+void plan_feet(const LegPaths& paths, std::span<const PackedClip> clips, std::span<const FootBlend> blends,
+               std::span<FootPlans> plans) noexcept;
 
 /// Solves both legs of the blended pose `locals` (joint_count() transforms) for the blended feet of the leaves. Nothing
 /// changes where one of the clips has no foot track. Never allocates or fails.
 void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
                 std::span<Transform> locals) noexcept;
+
+struct BlendedPose {
+    FootBlend blend;
+    std::span<Transform> locals;
+};
+/// The same of many poses, to the bit; four at a time.
+void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, std::span<const BlendedPose> poses) noexcept;
 
 }  // namespace surefoot

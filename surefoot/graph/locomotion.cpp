@@ -1,6 +1,7 @@
 #include <surefoot/graph/mix.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace surefoot {
@@ -127,9 +128,23 @@ FootBlend foot_blend_of(const LocomotionFrame& frame) noexcept {
 }
 
 void pose(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<Transform> locals) noexcept {
-    sample_pose(*graph.skeleton, graph.clips, frame.leaves(), locals);
-    if (frame.leaf_count > 1 || frame.styled) blend_feet(graph.legs, graph.clips, foot_blend_of(frame), locals);
-    if (frame.layer_count > 0) lay_over(graph, frame, locals);
+    Transform* const first = locals.data();
+    poses(graph, {&frame, 1}, {&first, 1});
+}
+
+void poses(const LocomotionGraph& graph, std::span<const LocomotionFrame> frames,
+           std::span<Transform* const> locals) noexcept {
+    assert(frames.size() <= static_cast<std::size_t>(k_lanes) && locals.size() == frames.size());
+    const auto pose_of = [&](std::size_t i) noexcept { return std::span(locals[i], graph.skeleton->rest.size()); };
+    std::array<BlendedPose, k_lanes> blended;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        sample_pose(*graph.skeleton, graph.clips, frames[i].leaves(), pose_of(i));
+        if (frames[i].leaf_count > 1 || frames[i].styled) blended[count++] = {foot_blend_of(frames[i]), pose_of(i)};
+    }
+    blend_feet(graph.legs, graph.clips, std::span(blended).first(count));
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        if (frames[i].layer_count > 0) lay_over(graph, frames[i], pose_of(i));
 }
 
 void pose_without_feet(const LocomotionGraph& graph, const LocomotionFrame& frame,

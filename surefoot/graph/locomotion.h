@@ -167,7 +167,11 @@ LocomotionFrame update(const LocomotionGraph& graph, LocomotionState& state, con
 /// The frame's local pose: joint_count() transforms, the root at the origin, facing +Z. Where the graph knows the legs,
 /// the feet are blended as feet (graph/foot_blend.h).
 void pose(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<Transform> locals) noexcept;
-/// The same with the legs as the joints' mean has them: for who knows better where the feet shall be (plan_feet).
+/// Poses of many characters, to the bit what `pose` makes of each; the more at once the better (blend_feet).
+/// [Limit: as many poses as frames, k_lanes at most]
+void poses(const LocomotionGraph& graph, std::span<const LocomotionFrame> frames,
+           std::span<Transform* const> locals) noexcept;
+/// The pose with the legs as the joints' mean has them: for who knows better where the feet shall be (plan_feet).
 void pose_without_feet(const LocomotionGraph& graph, const LocomotionFrame& frame,
                        std::span<Transform> locals) noexcept;
 /// What foot_blend.h asks of a frame.

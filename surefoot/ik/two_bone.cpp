@@ -1,13 +1,11 @@
 #include <surefoot/ik/colvin_trace.h>
 #include <surefoot/ik/two_bone.h>
+#include <surefoot/ik/two_bone_lanes.h>
 
 #include <algorithm>
 
 namespace surefoot {
 namespace {
-
-constexpr float k_short = 1e-6f;       // [m] below this, two points count as one
-constexpr float k_fold_share = 0.05f;  // a leg folds no further than to this share of its length
 
 /// The part of v perpendicular to the unit vector u.
 Vec3 perpendicular(Vec3 v, Vec3 u) noexcept { return v - u * dot(v, u); }
@@ -16,35 +14,11 @@ Vec3 any_perpendicular(Vec3 u) noexcept {
     return normalized(perpendicular(std::fabs(u.z) < 0.9f ? Vec3{0, 0, 1} : Vec3{1, 0, 0}, u));
 }
 
-/// Cosine at the side `a` of the triangle (a, b, c), between a and c.
-float triangle_cosine(float a, float b, float c) noexcept {
-    const float below = 2 * a * c;
-    return below > 1e-12f ? std::clamp((a * a + c * c - b * b) / below, -1.0f, 1.0f) : 1.0f;
-}
-
-/// Where the knee stands off the line hip -> ankle. The animated knee's offset is kept as far as it goes; what the knee
-/// bends beyond that it bends towards `knee_forward`, which says more than the noise of a nearly straight leg.
-Vec3 knee_direction(const TwoBone& leg, Quat swing, Vec3 along, float offset) noexcept {
-    const Vec3 animated_line = normalized(leg.ankle - leg.hip);
-    const Vec3 animated = perpendicular(leg.knee - leg.hip, animated_line);
-    const float animated_offset = length(animated);
-    const Vec3 own = perpendicular(rotate(swing, animated), along);
-    if (offset <= animated_offset && animated_offset > k_short) return normalized(own, any_perpendicular(along));
-    const Vec3 forward = perpendicular(rotate(swing, leg.knee_forward), along);
-    const Vec3 sum = own + normalized(forward, {0, 0, 0}) * (offset - animated_offset);
-    return normalized(sum, any_perpendicular(along));
-}
-
 }  // namespace
 
 float soft_limit(float distance, float length, float share, float free) noexcept {
-    const float start = std::max(length * share, std::min(free, length));
-    if (distance <= start) return distance;
-    const float room = length - start;
-    if (room <= 1e-7f * length) return start;
-    // start + room * x / (1 + x): slope 1 at the start, never reaching the length
-    const float x = (distance - start) / room;
-    return start + room * x / (1 + x);
+    const auto one = [](float x) noexcept { return Float8<Single>::splat(x); };
+    return soft_limit(one(distance), one(length), one(share), one(free)).part[0];
 }
 
 Quat carry_swing(Vec3 hip, Vec3 ankle, Vec3 target) noexcept {
@@ -54,34 +28,15 @@ Quat carry_swing(Vec3 hip, Vec3 ankle, Vec3 target) noexcept {
 }
 
 TwoBoneResult solve_two_bone(const TwoBone& leg) noexcept {
-    TwoBoneResult result;
-    result.knee = leg.knee;
-    result.ankle = leg.ankle;
-    const float upper = distance(leg.hip, leg.knee), lower = distance(leg.knee, leg.ankle);
-    const float length = upper + lower;
-    if (!(length > k_short) || !is_finite(leg.target)) return result;
-    const float animated = distance(leg.hip, leg.ankle), wanted = distance(leg.hip, leg.target);
-    if (distance(leg.ankle, leg.target) <= 1e-7f * length) return result;
-
-    const float shortest = std::max(std::fabs(upper - lower), k_fold_share * length);
-    const float reach = std::clamp(soft_limit(wanted, length, leg.soft_extension, animated),
-                                   std::min(shortest, std::max(animated, k_short)), length);
-    result.pulled_in = wanted > length;
-    // A target on the hip itself gives no direction: keep the animated one.
-    const Vec3 animated_line = normalized(leg.ankle - leg.hip, {0, -1, 0});
-    const Vec3 along = wanted > k_short ? (leg.target - leg.hip) / wanted : animated_line;
-    const Quat swing = animated > k_short ? rotation_between(animated_line, along) : Quat{};
-
-    const float cosine = triangle_cosine(upper, lower, reach);
-    const float offset = upper * std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-    const Vec3 aside = knee_direction(leg, swing, along, offset);
-    result.knee = leg.hip + along * (upper * cosine) + aside * offset;
-    result.ankle = leg.hip + along * reach;
-
-    const Vec3 thigh = rotate(swing, leg.knee - leg.hip), calf = rotate(swing, leg.ankle - leg.knee);
-    result.upper = upper > k_short ? rotation_between(thigh, result.knee - leg.hip) * swing : swing;
-    result.lower = lower > k_short ? rotation_between(calf, result.ankle - result.knee) * swing : swing;
-    return result;
+    using V = Vec8<Single>;
+    const auto vec = [](const V& v) noexcept { return Vec3{v.x.part[0], v.y.part[0], v.z.part[0]}; };
+    const auto quat = [](const Quat8<Single>& q) noexcept {
+        return Quat{q.x.part[0], q.y.part[0], q.z.part[0], q.w.part[0]};
+    };
+    const TwoBoneLanesResult<Single> solved = solve_two_bone(
+        TwoBoneLanes<Single>{V::splat(leg.hip), V::splat(leg.knee), V::splat(leg.ankle), V::splat(leg.target),
+                             V::splat(leg.knee_forward), Float8<Single>::splat(leg.soft_extension)});
+    return {quat(solved.upper), quat(solved.lower), vec(solved.knee), vec(solved.ankle), solved.pulled_in.part[0] != 0};
 }
 
 // --- Colvin & Kajala 2013, §IV.B

@@ -35,6 +35,14 @@ struct Scalar {
     using I = std::int32_t;
 };
 
+/// One lane: for one alone what eight do side by side, with the bits of a lane. Only what is done lane by lane: nothing
+/// that names eight (any, all, gather, transpose).
+struct Single {
+    static constexpr int width = 1, parts = 1;
+    using F = float;
+    using I = std::int32_t;
+};
+
 /// The machine's vectors: one of eight with AVX2, else two of four.
 struct Vector {
 #if defined(__AVX2__)

@@ -263,6 +263,22 @@ TEST(CrowdFeet, where_there_is_no_ground_the_last_one_goes_on) {
     EXPECT_NEAR(walkers.roots[5].position.y, before, 0.15f);
 }
 
+TEST(CrowdFeet, without_ground_are_to_the_bit_those_of_one_alone) {
+    Walkers walkers(27);  // idles of one clip among them
+    CrowdScratch scratch(hero().graph);
+    std::vector<LocomotionState> alone = walkers.states;
+    std::vector<Transform> locals(walkers.joints);
+    for (int frame = 0; frame < 40; ++frame) {
+        walkers.step(scratch);
+        for (std::size_t c = 0; c < walkers.count; ++c) {
+            pose(hero().graph, update(hero().graph, alone[c], walkers.wishes[c], k_dt), locals);
+            ASSERT_EQ(
+                std::memcmp(locals.data(), &walkers.locals[c * walkers.joints], locals.size() * sizeof(Transform)), 0)
+                << "character " << c;
+        }
+    }
+}
+
 TEST(CrowdFeet, allocate_nothing) {
     const HeightField hills = make_hills();
     Walkers walkers(24, &hills);
