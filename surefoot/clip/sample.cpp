@@ -210,7 +210,8 @@ float phase_at(const PackedClip& clip, float time) noexcept {
 PhaseTime phase_time(const PackedClip& clip, float phase) noexcept {
     if (clip.phase_map.empty()) return {};
     const float first = clip.phase_map.front()[1], cycles = static_cast<float>(clip.cycles);
-    phase -= std::floor((phase - first) / cycles) * cycles;
+    const float past = phase - first;
+    phase -= std::floor(clip.cycles == 1 ? past : past / cycles) * cycles;  // called ten times a character and frame
     std::size_t i = 1;
     while (i + 1 < clip.phase_map.size() && clip.phase_map[i][1] < phase) ++i;
     const auto& a = clip.phase_map[i - 1];

@@ -36,6 +36,7 @@ class CrowdLanes {
           scratch_(scratch),
           joints_(graph.skeleton->rest.size()),
           dt_(dt),
+          steps_{{graph.legs, scratch.legs_, crowd.feet_settings}, {graph.legs, scratch.legs_, crowd.feet_settings}},
           lays_feet_(crowd.ground != nullptr && !crowd.feet.empty()) {}
 
     void add(std::size_t character, const LocomotionFrame& frame) noexcept {
@@ -70,41 +71,23 @@ class CrowdLanes {
         plan_feet(graph_.legs, graph_.clips, std::span(blends).first(count_), plans);
         lay_feet(plans);
     }
+    /// Four characters at a time; the ground is asked for all eight at once.
     void lay_feet(const std::array<FootPlans, k_eight>& plans) noexcept {
-        std::array<CrowdFeetStep, k_eight> steps;
-        std::array<GroundQuery, 2 * k_eight> queries;
-        std::array<GroundHit, 2 * k_eight> hits;
-        std::array<std::size_t, k_eight + 1> first{};
         for (std::size_t lane = 0; lane < count_; ++lane) {
             const std::size_t c = character_[lane];
-            first[lane + 1] = first[lane];
-            if (plans[lane].known)
-                first[lane + 1] += static_cast<std::size_t>(steps[lane].ask(graph_.legs, plans[lane], crowd_.feet[c],
-                                                                            crowd_.roots[c], crowd_.feet_settings,
-                                                                            std::span(queries).subspan(first[lane])));
-        }
-        const std::size_t count = first[count_];
-        crowd_.ground->query(std::span(queries).first(count), std::span(hits).first(count));
-        // Legs are run forward and solved four characters at a time.
-        LegLanes legs(scratch_.legs_);
-        std::array<std::size_t, LegLanes::k_poses> lanes;
-        const auto reach = [&]() noexcept {
-            legs.run_forward();
-            for (std::size_t i = 0; i < static_cast<std::size_t>(legs.count()); ++i) {
-                const std::size_t lane = lanes[i], c = character_[lane];
-                steps[lane].place(graph_.legs, plans[lane], crowd_.feet[c], crowd_.roots[c],
-                                  std::span(hits).subspan(first[lane]), dt_ * static_cast<float>(period(crowd_, c)),
-                                  crowd_.feet_settings, legs, static_cast<int>(i));
-            }
-            legs.reach();
-            legs.clear();
-        };
-        for (std::size_t lane = 0; lane < count_; ++lane) {
             if (!plans[lane].known) continue;
-            lanes[static_cast<std::size_t>(legs.add({pose_[lane], joints_}))] = lane;
-            if (legs.full()) reach();
+            CrowdFeetStep& step = steps_[steps_[0].full() ? 1 : 0];
+            step.add(plans[lane], crowd_.feet[c], crowd_.roots[c], dt_ * static_cast<float>(period(crowd_, c)),
+                     {pose_[lane], joints_});
         }
-        if (legs.count() > 0) reach();
+        std::array<GroundQuery, 2 * k_eight> queries;
+        std::array<GroundHit, 2 * k_eight> hits;
+        const std::size_t first = steps_[0].count() > 0 ? steps_[0].ask(queries) : 0;
+        const std::size_t count =
+            first + (steps_[1].count() > 0 ? steps_[1].ask(std::span(queries).subspan(first)) : 0);
+        crowd_.ground->query(std::span(queries).first(count), std::span(hits).first(count));
+        if (steps_[0].count() > 0) steps_[0].place(std::span(hits).first(first));
+        if (steps_[1].count() > 0) steps_[1].place(std::span(hits).subspan(first, count - first));
     }
     void write_matrices() noexcept {
         const Transform* from[k_lanes];
@@ -131,6 +114,7 @@ class CrowdLanes {
     CrowdScratch& scratch_;
     std::size_t joints_, count_ = 0;
     float dt_;
+    CrowdFeetStep steps_[2];
     bool lays_feet_;
     std::array<std::size_t, k_eight> character_{};
     std::array<Transform*, k_eight> pose_{};

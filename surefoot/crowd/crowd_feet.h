@@ -7,6 +7,7 @@
 // Who is looked at closely is placed by ik/foot_placement.h, which goes around edges, rolls soles over them and limits
 // paces; here soles may cut a stair's edge.
 
+#include <surefoot/crowd/kernels.h>
 #include <surefoot/graph/foot_lanes.h>
 #include <surefoot/ground/ground.h>
 
@@ -39,24 +40,36 @@ struct CrowdFeetSettings {
     float rise = 0.12f;     ///< [s] [Limit: > 0] in which the body follows the ground under its feet
 };
 
-/// One character's feet in one frame, its plans known: `ask`, then the ground's answers, then `place` with its legs run
-/// forward.
+/// The feet of up to four characters in one frame, their plans known: all of `add`, then `ask`, the ground's answers,
+/// and `place`.
 class CrowdFeetStep {
   public:
-    /// Appends what has to be asked to `queries`, two at most, and returns how many.
-    int ask(const LegPaths& paths, const FootPlans& plans, CrowdFeet& feet, const RootFrame& root,
-            const CrowdFeetSettings& settings, std::span<GroundQuery> queries) noexcept;
-    /// Moves the root up or down, for `dt` seconds since the last time, and says where the feet of that pose of `legs`
-    /// shall be.
-    void place(const LegPaths& paths, const FootPlans& plans, CrowdFeet& feet, RootFrame& root,
-               std::span<const GroundHit> hits, float dt, const CrowdFeetSettings& settings, LegLanes& legs,
-               int pose) noexcept;
+    CrowdFeetStep(const LegPaths& paths, const LegChains& chains, const CrowdFeetSettings& settings) noexcept;
+    bool full() const noexcept { return legs_.full(); }
+    int count() const noexcept { return legs_.count(); }
+    /// A character: its feet and root, moved by `place`, and its pose without feet. `dt`: [s] since its last frame.
+    void add(const FootPlans& plans, CrowdFeet& feet, RootFrame& root, float dt, std::span<Transform> locals) noexcept;
+    /// Appends what has to be asked to `queries`, two a character at most, and returns how many.
+    std::size_t ask(std::span<GroundQuery> queries) noexcept;
+    /// Moves roots up or down, and the legs of poses onto the ground. `hits` answer what was asked.
+    void place(std::span<const GroundHit> hits) noexcept;
 
   private:
-    std::array<Vec3, 2> centre_;  // of each sole, world
-    std::array<Vec3, 2> asked_;   // where the ground is asked for
-    std::array<bool, 2> asks_{}, lands_{};
-    bool is_new_ = false;
+    static constexpr std::size_t k_most = LegLanes::k_poses;
+    struct Character {
+        CrowdFeet* feet;
+        RootFrame* root;
+        float dt;
+        bool is_new;
+    };
+    void take(std::span<const GroundHit> hits) noexcept;
+    void follow_ground() noexcept;
+
+    const CrowdFeetSettings& settings_;
+    LegLanes legs_;
+    GroundLanes lanes_;
+    Character character_[k_most];
+    float decay_ = 1, decay_dt_ = 0;  ///< of the bodies' spring over a time
 };
 
 }  // namespace surefoot

@@ -84,20 +84,9 @@ void LegLanes::run_forward() noexcept {
     foot_kernels().run_forward(chains_, locals_, joints_, models_);
 }
 
-float LegLanes::sink_to_reach(int pose, const std::array<FootGoal, 2>& feet, float reach) const noexcept {
-    float sink = 0;
-    for (std::size_t side = 0; side < 2; ++side) {
-        const std::size_t lane = 2 * static_cast<std::size_t>(pose) + side;
-        const auto place = [&](int joint) noexcept {
-            const float* model = models_ + joint * k_model_floats + 4 * k_foot_lanes + lane;
-            return Vec3{model[0], model[k_foot_lanes], model[2 * k_foot_lanes]};
-        };
-        const Vec3 hip = place(chains_.upper), knee = place(chains_.lower), ankle = feet[side].foot.translation;
-        const float length = reach * (distance(hip, knee) + distance(knee, place(chains_.count - 1)));
-        const float level = planar_length(ankle - hip), square = length * length - level * level;
-        if (square > 0) sink = std::max(sink, hip.y - ankle.y - std::sqrt(square));
-    }
-    return sink;
+void LegLanes::sink_to_reach(float share, float (&sinks)[k_foot_lanes]) noexcept {
+    repeat_first();
+    foot_kernels().sink(chains_, models_, goals_, share, sinks);
 }
 
 void LegLanes::set_goals(int pose, const std::array<FootGoal, 2>& feet) noexcept {

@@ -51,9 +51,11 @@ class LegLanes {
     int add(std::span<Transform> locals) noexcept;
     /// Finds the legs of all poses.
     void run_forward() noexcept;
-    /// How far a body would have to sink [m] >= 0 for both feet to be within `reach` (a share) of its legs' length.
-    float sink_to_reach(int pose, const std::array<FootGoal, 2>& feet, float reach) const noexcept;
     void set_goals(int pose, const std::array<FootGoal, 2>& feet) noexcept;
+    /// The same for who has them in lanes: left and right of the poses in turns.
+    LegGoalLanes& goals() noexcept { return goals_; }
+    /// How far bodies would have to sink [m] >= 0 for each foot to be within `share` of its leg's length of its goal.
+    void sink_to_reach(float share, float (&sinks)[k_foot_lanes]) noexcept;
     /// Solves all legs for their goals.
     void reach() noexcept;
 

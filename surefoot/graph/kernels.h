@@ -10,7 +10,6 @@ namespace surefoot {
 inline constexpr int k_foot_lanes = 8;
 inline constexpr int k_leg_joints = 48;             ///< from the root to a foot: LegPaths::k_most
 inline constexpr int k_model_floats = 56;           ///< of a joint in eight lanes: qx8 qy8 qz8 qw8 tx8 ty8 tz8
-inline constexpr float k_level = 0.02f;             ///< [m] heel and ball differ by less: a foot stands on both
 inline constexpr float k_soft_extension = 0.9975f;  ///< TwoBone::soft_extension
 
 /// One leaf of each of eight feet. Keys are FootKeys: print (qx qy qz qw tx ty tz), toes (qx qy qz qw), age.
@@ -53,6 +52,8 @@ struct FootKernels {
     /// Model space of the legs' joints, [place][k_model_floats], from local poses of `joints` joints [qx qy qz qw tx ty
     /// tz].
     void (*run_forward)(const LegChains& chains, const float* const* locals, int joints, float* models);
+    /// How far the hips [m] >= 0 would have to sink for each foot to be within `share` of its leg's length.
+    void (*sink)(const LegChains& chains, const float* models, const LegGoalLanes& goals, float share, float* sinks);
     /// Two-bone solving: the rotations of both legs' joints into the local poses.
     void (*reach)(const LegChains& chains, const float* models, const LegGoalLanes& goals, float* const* locals);
 };

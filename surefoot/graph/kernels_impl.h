@@ -2,32 +2,10 @@
 // The kernels' one text, instantiated for each instruction set and for the scalar twin (kernels_*.cpp).
 
 #include <surefoot/graph/kernels.h>
-#include <surefoot/ik/two_bone_lanes.h>
+#include <surefoot/graph/sole_lanes.h>
 
 namespace surefoot {
 inline namespace SUREFOOT_KERNELS {
-
-template <class T>
-SUREFOOT_INLINE Vec8<T> load_vec(const float (*from)[8]) noexcept {
-    return {Float8<T>::load(from[0]), Float8<T>::load(from[1]), Float8<T>::load(from[2])};
-}
-template <class T>
-SUREFOOT_INLINE Quat8<T> load_quat(const float (*from)[8]) noexcept {
-    return {Float8<T>::load(from[0]), Float8<T>::load(from[1]), Float8<T>::load(from[2]), Float8<T>::load(from[3])};
-}
-template <class T>
-SUREFOOT_INLINE void store(const Quat8<T>& q, float (*to)[8]) noexcept {
-    q.x.store(to[0]);
-    q.y.store(to[1]);
-    q.z.store(to[2]);
-    q.w.store(to[3]);
-}
-template <class T>
-SUREFOOT_INLINE void store(const Vec8<T>& v, float (*to)[8]) noexcept {
-    v.x.store(to[0]);
-    v.y.store(to[1]);
-    v.z.store(to[2]);
-}
 
 // --- keys
 
@@ -109,13 +87,6 @@ class SoleMean {
     Vec8<T> heel_{zero_, zero_, zero_}, ball_{zero_, zero_, zero_};
     F stepping_ = zero_, heel_lift_ = zero_, ball_lift_ = zero_;
 };
-
-template <class T>
-SUREFOOT_INLINE Vec8<T> stand_on(const Quat8<T>& rotation, const Vec8<T>& own_heel, const Vec8<T>& own_ball,
-                                 const Vec8<T>& heel, const Vec8<T>& ball) noexcept {
-    const Float8<T> t = clamp(0.5f + 0.5f * (heel.y - ball.y) / k_level, 0.0f, 1.0f);
-    return lanes::lerp(heel - rotate(rotation, own_heel), ball - rotate(rotation, own_ball), t * t * (3.0f - 2.0f * t));
-}
 
 // --- feet
 
@@ -211,6 +182,17 @@ SUREFOOT_INLINE Vec8<T> model_place(const float* models, int place) noexcept {
 }
 
 template <class T>
+void sink(const LegChains& chains, const float* models, const LegGoalLanes& goals, float share, float* sinks) {
+    using F = Float8<T>;
+    const Vec8<T> hip = model_place<T>(models, chains.upper), knee = model_place<T>(models, chains.lower);
+    const Vec8<T> foot = model_place<T>(models, chains.count - 1), goal = load_vec<T>(goals.foot + 4);
+    const F length = share * (lanes::length(hip - knee) + lanes::length(knee - foot)), zero = F::splat(0);
+    const F level = lanes::planar_length(goal - hip), square = length * length - level * level;
+    const F lacking = hip.y - goal.y - sqrt(max(square, zero));
+    select(square > zero, max(zero, lacking), zero).store(sinks);
+}
+
+template <class T>
 SUREFOOT_INLINE void write_rotations(const Quat8<T>& q, const std::int16_t (&joint)[2], float* const* locals) noexcept {
     const Float8<T> quads[4] = {q.x, q.y, q.z, q.w};
     store_quads(quads, [&](int lane) noexcept { return locals[lane] + joint[lane % 2] * 7; });
@@ -251,7 +233,7 @@ void reach(const LegChains& chains, const float* models, const LegGoalLanes& goa
 
 template <class T>
 constexpr FootKernels foot_kernels_named(const char* name) {
-    return {name, mean_feet<T>, run_forward<T>, reach<T>};
+    return {name, mean_feet<T>, run_forward<T>, sink<T>, reach<T>};
 }
 
 }  // namespace SUREFOOT_KERNELS

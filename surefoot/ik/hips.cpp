@@ -50,7 +50,11 @@ void FootholdLine::keep_past(double time) noexcept {
 }
 
 void HeightSpring::step(float target, float stiffness, float dt) noexcept {
-    const float decay = exp(-stiffness * dt), offset = value - target, c = rate + stiffness * offset;
+    step(target, stiffness, dt, exp(-stiffness * dt));
+}
+
+void HeightSpring::step(float target, float stiffness, float dt, float decay) noexcept {
+    const float offset = value - target, c = rate + stiffness * offset;
     value = target + (offset + c * dt) * decay;
     rate = (rate - stiffness * c * dt) * decay;
 }

@@ -34,6 +34,8 @@ struct FootholdLine {
 struct HeightSpring {
     float value = 0, rate = 0;  ///< [m], [m/s]
     void step(float target, float stiffness, float dt) noexcept;
+    /// The same for who steps many and knows `decay`, exp(-stiffness * dt).
+    void step(float target, float stiffness, float dt, float decay) noexcept;
 };
 
 /// Shortfall of the legs (<= 0 m) on a fixed grid of time, past and to come, and the smooth height below it.

@@ -9,8 +9,11 @@ namespace {
 /// Weights above this count as inside: rounding at a face shared by two simplices must not send a point to and fro.
 constexpr double k_inside = -1e-9;
 
+using Equations = double[k_max_dimensions][k_max_dimensions + 1];
+
 /// Gaussian elimination with row pivots of n equations, the right side in column n.
-bool solve(double (&m)[k_max_dimensions][k_max_dimensions + 1], int n, double* x) noexcept {
+template <int n>
+bool eliminate(Equations& m, double* x) noexcept {
     for (int c = 0; c < n; ++c) {
         int pivot = c;
         for (int r = c + 1; r < n; ++r)
@@ -29,6 +32,21 @@ bool solve(double (&m)[k_max_dimensions][k_max_dimensions + 1], int n, double* x
         x[r] = sum / m[r][r];
     }
     return true;
+}
+
+/// The same, its loops unrolled for each number of equations.
+bool solve(Equations& m, int n, double* x) noexcept {
+    static_assert(k_max_dimensions == 4);
+    switch (n) {
+        case 1:
+            return eliminate<1>(m, x);
+        case 2:
+            return eliminate<2>(m, x);
+        case 3:
+            return eliminate<3>(m, x);
+        default:
+            return eliminate<4>(m, x);
+    }
 }
 
 double smallest(const CornerWeights& w, int count, int& slot) noexcept {

@@ -122,6 +122,9 @@ std::vector<Transform> reached(const FootKernels& kernels, std::uint64_t seed) {
         for (int k = 0; k < 4; ++k) goals.toes[k][lane] = (&goal.toes.x)[k];
     }
     kernels.run_forward(chains, locals, Poses::k_joints, models.data());
+    float sinks[k_foot_lanes];
+    kernels.sink(chains, models.data(), goals, 0.99f, sinks);
+    for (int lane = 0; lane < k_foot_lanes; ++lane) goals.foot[5][lane] += sinks[lane];
     kernels.reach(chains, models.data(), goals, locals);
     return p.poses;
 }
