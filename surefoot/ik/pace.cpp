@@ -23,13 +23,13 @@ constexpr float k_stands = 0.05f;             // [m/s] a root slower than this t
 
 using Heights = std::array<float, k_places>;
 
-/// Looks down from where the way has led so far, however high that is.
-Heights heights_along(GroundProbe probe, Vec3 from, Vec3 way) noexcept {
+/// Looks down from where the way has led so far, however high that is, at the first `count` places at least.
+Heights heights_along(GroundProbe probe, Vec3 from, Vec3 way, int count) noexcept {
     constexpr std::size_t k_batch = 16;
     static_assert(k_places % k_batch == 0);
     Heights heights;
     std::array<Vec3, k_batch> places;
-    for (std::size_t first = 0; first < k_places; first += k_batch) {
+    for (std::size_t first = 0; first < static_cast<std::size_t>(count); first += k_batch) {
         for (std::size_t i = 0; i < k_batch; ++i)
             places[i] = from + way * (k_spacing * static_cast<float>(first + i) - k_behind);
         probe.heights(places, {heights.data() + first, k_batch});
@@ -39,11 +39,11 @@ Heights heights_along(GroundProbe probe, Vec3 from, Vec3 way) noexcept {
 }
 
 /// The longest step from a place that the ground bears: half the way on which it climbs, or sinks, more than two steps
-/// may. [m]
-float longest_step(const Heights& heights, int place, float leg_length) noexcept {
+/// may, if that lies before the place `end`. [m]
+float longest_step(const Heights& heights, int place, int end, float leg_length) noexcept {
     const auto at = [&](int i) { return heights[static_cast<std::size_t>(i)]; };
     float rough = 0;
-    for (int i = place + 1; i < k_places; ++i) {
+    for (int i = place + 1; i < end; ++i) {
         const float slope = (at(i) - at(place)) / static_cast<float>(i - place);
         rough = std::max(rough, std::fabs(at(i) - at(i - 1) - slope));
         const float share = std::min(rough / k_rough, 1.0f);
@@ -79,16 +79,22 @@ void look_along(const FootRig& rig, PaceState& pace, double clock, const GroundP
     const Vec3 step{later.position.x - root.position.x, 0, later.position.z - root.position.z};
     const float speed = length(step) / k_ahead;
     const Vec3 way = speed > k_stands ? normalized(step) : rotate(from_yaw(root.yaw), {0, 0, 1});
-    const Heights heights = heights_along(probe, root.position, way);
     const float leg_length = std::min(rig.legs.side[0].length(), rig.legs.side[1].length());
     // Who slows down goes on doing so: places count as though the speed were still that from which it began.
     pace.from = std::max({pace.limit < k_no_speed_limit ? pace.from : 0, speed, k_usual});
+    const auto away_of = [](int place) { return std::max(k_spacing * static_cast<float>(place) - k_behind, 0.0f); };
+    // Beyond these there is time yet, whatever is there; and steps of so many places are as long as they are anyway.
+    int places = 0;
+    while (places < k_places && k_slowest * k_slowest + 2 * k_braking * away_of(places) < pace.from * pace.from)
+        ++places;
+    const float step_places = pace.from / (0.5f * k_spacing * pace.cadence);
+    const int reach = static_cast<int>(std::min(step_places, static_cast<float>(k_places))) + 2;
+    const auto end_of = [&](int place) { return std::min(place + reach, k_places); };
+    const Heights heights = heights_along(probe, root.position, way, end_of(places));
     float limit = k_no_speed_limit;
-    for (int i = 0; i < k_places; ++i) {
-        const float away = std::max(k_spacing * static_cast<float>(i) - k_behind, 0.0f);
-        // So far off that there is time yet, whatever is there.
-        if (k_slowest * k_slowest + 2 * k_braking * away >= pace.from * pace.from) break;
-        const float bears = longest_step(heights, i, leg_length);
+    for (int i = 0; i < places; ++i) {
+        const float away = away_of(i);
+        const float bears = longest_step(heights, i, end_of(i), leg_length);
         if (bears >= k_no_speed_limit) continue;
         const float there = std::max(bears * pace.cadence, k_slowest);
         if (there * there + 2 * k_braking * away < pace.from * pace.from) limit = std::min(limit, there);
