@@ -170,7 +170,7 @@ class BlendedFeet {
 }  // namespace
 
 void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, std::span<const BlendedPose> poses) noexcept {
-    if (paths.count == 0) return;
+    if (paths.count == 0 || poses.empty()) return;
     const LegChains chains = make_leg_chains(paths);
     LegLanes legs(chains);
     FootMeans means;

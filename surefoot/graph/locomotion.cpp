@@ -13,6 +13,9 @@ bool any_steps(const LocomotionGraph& graph, std::span<const Leaf> leaves) noexc
                        [&](const Leaf& leaf) { return graph.clips[static_cast<std::size_t>(leaf.clip)].cycles > 0; });
 }
 
+/// A lone clip's feet are where it has them.
+bool blends_feet(const LocomotionFrame& frame) noexcept { return frame.leaf_count > 1 || frame.styled; }
+
 /// The masked style's own pose over the finished one.
 void lay_over(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<Transform> locals) noexcept {
     alignas(Transform) std::byte memory[k_max_joints * sizeof(Transform)];  // not worth constructing
@@ -128,8 +131,9 @@ FootBlend foot_blend_of(const LocomotionFrame& frame) noexcept {
 }
 
 void pose(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<Transform> locals) noexcept {
-    Transform* const first = locals.data();
-    poses(graph, {&frame, 1}, {&first, 1});
+    sample_pose(*graph.skeleton, graph.clips, frame.leaves(), locals);
+    if (blends_feet(frame)) blend_feet(graph.legs, graph.clips, foot_blend_of(frame), locals);
+    if (frame.layer_count > 0) lay_over(graph, frame, locals);
 }
 
 void poses(const LocomotionGraph& graph, std::span<const LocomotionFrame> frames,
@@ -140,7 +144,7 @@ void poses(const LocomotionGraph& graph, std::span<const LocomotionFrame> frames
     std::size_t count = 0;
     for (std::size_t i = 0; i < frames.size(); ++i) {
         sample_pose(*graph.skeleton, graph.clips, frames[i].leaves(), pose_of(i));
-        if (frames[i].leaf_count > 1 || frames[i].styled) blended[count++] = {foot_blend_of(frames[i]), pose_of(i)};
+        if (blends_feet(frames[i])) blended[count++] = {foot_blend_of(frames[i]), pose_of(i)};
     }
     blend_feet(graph.legs, graph.clips, std::span(blended).first(count));
     for (std::size_t i = 0; i < frames.size(); ++i)
