@@ -104,6 +104,14 @@ void hold(FootState& foot, const LegPoints& points, float leg_length, float dt) 
     foot.plant.centre += Vec3{drift.x, 0, drift.z} * (1 - exp(-k_hold * dt));
 }
 
+/// 0 of a foot that stands, 1 in the middle of its swing, smooth between them.
+float in_the_air(const FootState& foot, double clock) noexcept {
+    if (!is_swinging(foot, clock)) return 0;
+    constexpr float k_ends = 0.25f;  // of the swing
+    const auto share = static_cast<float>((clock - foot.lift) / (foot.strike - foot.lift));
+    return smootherstep(std::min(1.0f, std::min(share, 1 - share) / k_ends));
+}
+
 /// `first`: it has long been on this slope.
 float ease_lean(const FootRig& rig, FootPlacementState& state, float slope, bool first, float dt) noexcept {
     if (!rig.settings.lean) return 0;
@@ -160,6 +168,7 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
         in.ankle = leg.points.ankle + k_up * hips;
         in.target = placed.ankle;
         in.knee_forward = world_knee_forward(rig, side, leg);
+        in.target = unfolded_target(in, in_the_air(foot, state.clock));
         const TwoBoneResult solved = solve_two_bone(in);
         const Quat bend = rig.legs.side[side].toes == k_no_joint ? Quat{} : bend_toes(leg, placed, solved.ankle, probe);
         output.leg[side] = to_locals(leg, solved.upper, solved.lower, placed.tilt, bend * placed.toes_tilt);

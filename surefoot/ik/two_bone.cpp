@@ -21,6 +21,24 @@ float soft_limit(float distance, float length, float share, float free) noexcept
     return soft_limit(one(distance), one(length), one(share), one(free)).part[0];
 }
 
+float soft_floor(float distance, float least, float soft, float free) noexcept {
+    const float start = std::min(soft, free), room = start - least;
+    if (distance >= start || !(room > 0)) return distance;
+    const float x = (start - distance) / room;
+    return start - room * x / (1 + x);
+}
+
+Vec3 unfolded_target(const TwoBone& leg, float share) noexcept {
+    const float upper = distance(leg.hip, leg.knee), lower = distance(leg.knee, leg.ankle);
+    const float wanted = distance(leg.hip, leg.target);
+    if (!(wanted > k_short)) return leg.target;  // no direction
+    const auto folded = [&](float angle) {
+        return std::sqrt(upper * upper + lower * lower - 2 * upper * lower * cos(angle));
+    };
+    const float unfolded = soft_floor(wanted, folded(k_least_fold), folded(k_soft_fold), distance(leg.hip, leg.ankle));
+    return leg.target + (leg.target - leg.hip) * ((unfolded - wanted) * share / wanted);
+}
+
 Quat carry_swing(Vec3 hip, Vec3 ankle, Vec3 target) noexcept {
     const Vec3 from = ankle - hip, to = target - hip;
     if (length(from) < k_short || length(to) < k_short) return {};

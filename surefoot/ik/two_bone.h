@@ -8,6 +8,7 @@
 // `colvin_step_*` are the steps (2) to (5) of Colvin & Kajala 2013, §IV.B, as printed, each by itself.
 
 #include <surefoot/math/transform.h>
+#include <surefoot/math/trig.h>
 
 namespace surefoot {
 
@@ -29,6 +30,17 @@ TwoBoneResult solve_two_bone(const TwoBone& leg) noexcept;
 /// A distance limited softly: itself up to share * length, then approaching `length` without reaching it (smooth in
 /// value and slope). Distances up to `free` are never shortened: the clip's own stretch is the clip's business.
 float soft_limit(float distance, float length, float share, float free) noexcept;
+
+inline constexpr float k_least_fold = 40 * k_radians_per_degree;  ///< inside a knee
+inline constexpr float k_soft_fold = 55 * k_radians_per_degree;
+
+/// The same at the other end: itself down to `soft`, then approaching `least` without reaching it. Distances down to
+/// `free` are never lengthened.
+float soft_floor(float distance, float least, float soft, float free) noexcept;
+
+/// The target of a leg that resists folding: farther from the hip, so that the knee does not fold to k_least_fold where
+/// the animated one does not. `share` [0, 1]: of that; 0: the target as it is.
+Vec3 unfolded_target(const TwoBone& leg, float share) noexcept;
 
 /// Rotation that carries the knee's plane along: least rotation from hip -> ankle to hip -> target.
 Quat carry_swing(Vec3 hip, Vec3 ankle, Vec3 target) noexcept;

@@ -95,6 +95,16 @@ TEST(SteeredWalk, soles_lie_flat_on_rubble_though_feet_turn_on_their_way_and_dri
     EXPECT_LT(measured(1.1f).sole_angle_worst_deg, 6);
 }
 
+TEST(SteeredWalk, knees_of_runs_do_not_fold_below_40_degrees) {
+    for (const char* name : {"hills", "slope_up", "ledge"}) {
+        const Course course = make_course(name);
+        SteeredWalker walker(generated_clip("run"), [](double) { return 0.0f; });
+        const WalkMetrics ours = compare_modes(walker, *course.ground, 4, 10).metrics[2];
+        EXPECT_GE(ours.knee_min_deg, 40) << name;  // 31 to 36 where legs fold as far as asked
+        EXPECT_LT(ours.penetration_max_cm, 1.5) << name;
+    }
+}
+
 TEST(SteeredWalk, replanning_in_mid_swing_makes_no_jump) {
     const Course hills = make_course("hills");
     SteeredWalker steered(generated_clip("walk"), slalom),

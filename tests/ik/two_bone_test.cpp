@@ -1,5 +1,6 @@
 #include <surefoot/base/random.h>
 #include <surefoot/ik/two_bone.h>
+#include <surefoot/math/trig.h>
 
 #include <gtest/gtest.h>
 
@@ -40,6 +41,40 @@ TEST(TwoBone, the_ankle_reaches_targets_within_reach_and_bones_keep_their_length
         // The rotations say the same as the positions.
         EXPECT_LT(distance(leg.hip + rotate(r.upper, leg.knee - leg.hip), r.knee), 1e-5f);
         EXPECT_LT(distance(r.knee + rotate(r.lower, leg.ankle - leg.knee), r.ankle), 1e-5f);
+    }
+}
+
+float knee_of(const TwoBone& leg, const TwoBoneResult& r) {
+    return acos(dot(normalized(leg.hip - r.knee), normalized(r.ankle - r.knee)));
+}
+
+TEST(TwoBone, a_leg_that_resists_folding_keeps_40_degrees_inside_its_knee) {
+    TwoBone leg = bent_leg();
+    float before = 0;
+    for (float away = 0.7f; away > 0.02f; away -= 0.002f) {
+        leg.target = leg.hip + normalized(leg.ankle - leg.hip) * away;
+        const float asked = knee_of(leg, solve_two_bone(leg));
+        leg.target = unfolded_target(leg, 1);
+        const float knee = knee_of(leg, solve_two_bone(leg));
+        EXPECT_GE(knee, k_least_fold);
+        if (asked > k_soft_fold + 0.01f) {
+            EXPECT_NEAR(knee, asked, 1e-4f);
+        }
+        if (before > 0) {
+            EXPECT_LE(knee, before + 1e-5f);  // and it never turns back
+        }
+        before = knee;
+    }
+    EXPECT_LT(before, k_least_fold + 0.1f);
+}
+
+TEST(TwoBone, a_leg_that_the_clip_folds_farther_goes_where_it_is_asked_to) {
+    TwoBone leg = bent_leg();
+    leg.ankle = leg.hip + Vec3{0, -0.2f, 0};
+    leg.knee = leg.hip + Vec3{0, -0.1f, 0.4f};
+    for (const float further : {0.0f, -0.02f, 0.02f}) {
+        leg.target = leg.ankle + Vec3{0, further, 0};
+        EXPECT_LT(distance(unfolded_target(leg, 1), leg.target), 1e-6f);
     }
 }
 
