@@ -91,7 +91,8 @@ std::vector<std::string> keys_of(std::string_view pointer) {
 /// The new member goes after the last one, on a line of its own where that one has one.
 std::string added(std::string_view text, Range object, const std::vector<Scanner::Member>& members,
                   const std::string& key, std::string_view value) {
-    const std::string member = nlohmann::json(key).dump() + ": " + std::string(value);
+    const bool array = text[object.begin] == '[';
+    const std::string member = (array ? "" : nlohmann::json(key).dump() + ": ") + std::string(value);
     std::string out(text);
     if (members.empty()) return out.insert(object.begin + 1, member);
     const Scanner::Member& last = members.back();
@@ -115,12 +116,33 @@ std::string with_json_value(std::string_view text, std::string_view pointer, std
         for (const Scanner::Member& member : members)
             if (member.key == keys[k]) found = member.value;
         if (!found) {
-            if (k + 1 == keys.size() && scanner.is_object(at)) return added(text, at, members, keys[k], value);
+            const bool takes = scanner.is_object(at) || (scanner.is_container(at) && keys[k] == "-");
+            if (k + 1 == keys.size() && takes) return added(text, at, members, keys[k], value);
             throw Error("there is nothing of that name", std::string(pointer), "it has no '" + keys[k] + "'");
         }
         at = *found;
     }
     return std::string(text.substr(0, at.begin)) + std::string(value) + std::string(text.substr(at.end));
+}
+
+std::string without_json_value(std::string_view text, std::string_view pointer) {
+    if (!nlohmann::json::accept(text)) throw Error("the text is no JSON", "", "mend it first");
+    const Scanner scanner(text);
+    Range at = scanner.value_at(0), gone;
+    for (const std::string& key : keys_of(pointer)) {
+        const auto members = scanner.is_container(at) ? scanner.members(at) : std::vector<Scanner::Member>{};
+        std::size_t m = 0;
+        while (m < members.size() && members[m].key != key) ++m;
+        if (m == members.size())
+            throw Error("there is nothing of that name", std::string(pointer), "it has no '" + key + "'");
+        // What follows moves up to its place; the last one takes the comma before it along.
+        const Range own{members[m].begin, members[m].value.end};
+        gone = m + 1 < members.size() ? Range{own.begin, members[m + 1].begin}
+                                      : Range{m > 0 ? members[m - 1].value.end : own.begin, own.end};
+        at = members[m].value;
+    }
+    if (gone.end == 0) throw Error("a text is not without all of itself", std::string(pointer), "name a place in it");
+    return std::string(text.substr(0, gone.begin)) + std::string(text.substr(gone.end));
 }
 
 }  // namespace surefoot

@@ -39,6 +39,21 @@ TEST(JsonEdit, lays_a_new_key_out_as_the_one_before_it) {
     for (const std::string& text : {inside, below}) EXPECT_TRUE(Json::accept(text));
 }
 
+TEST(JsonEdit, takes_out_what_was_put_in_and_no_other_byte) {
+    for (const char* place : {"/a/curve", "/b/two", "/empty/x", "/a/when/-", "/last"}) {
+        std::string pointer = place;
+        const std::string longer = with_json_value(k_text, pointer, R"({"y": [1]})");
+        if (pointer.ends_with("-")) pointer.back() = '2';
+        EXPECT_EQ(Json::parse(longer)[Json::json_pointer(pointer)]["y"][0], 1) << longer;
+        EXPECT_EQ(without_json_value(longer, pointer), k_text) << place;
+    }
+    EXPECT_NE(without_json_value(k_text, "/a/when/0").find(R"("when": [{"x": -2.5e1}]})"), std::string::npos);
+    EXPECT_NE(without_json_value(k_text, "/b").find("2.5e1}]},\n  \"empty\": {}"), std::string::npos);
+    EXPECT_THROW(without_json_value(k_text, "/b/three"), Error);
+    EXPECT_THROW(without_json_value(k_text, ""), Error);
+    EXPECT_THROW(without_json_value("{", "/a"), Error);
+}
+
 TEST(JsonEdit, says_what_cannot_be_changed) {
     EXPECT_THROW(with_json_value("{", "/a", "1"), Error);
     EXPECT_THROW(with_json_value(k_text, "/a/seconds", "0.4.5"), Error);
@@ -74,6 +89,16 @@ TEST(JsonEdit, does_what_parsing_and_changing_does_on_any_text) {
             Json expected = before;
             expected[Json::json_pointer(pointer)] = 42;
             EXPECT_EQ(Json::parse(with_json_value(text, pointer, "42")), expected) << text << " at " << pointer;
+            if (!pointer.empty()) {
+                Json without = before;
+                const Json::json_pointer place(pointer);
+                Json& parent = without[place.parent_pointer()];
+                if (parent.is_array())
+                    parent.erase(std::stoul(place.back()));
+                else
+                    parent.erase(place.back());
+                EXPECT_EQ(Json::parse(without_json_value(text, pointer)), without) << text << " without " << pointer;
+            }
             ++changed;
         }
     }
