@@ -1,6 +1,7 @@
 #include "crowd_stage.h"
 
 #include <surefoot/base/random.h>
+#include <surefoot/ground/shapes.h>
 #include <surefoot/mannequin/mannequin.h>
 #include <surefoot/math/trig.h>
 
@@ -15,6 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr float k_first_radius = 3.5f, k_between_rings = 1.5f, k_between_neighbours = 1.6f;  // [m]
 constexpr float k_slowest = 0.7f, k_fastest = 2.6f;                                          // [m/s]
+constexpr float k_shown_beyond = 60;                                                         // [m] of the last ring
 constexpr int k_level_corners[] = {8, 4};  // of the levels after the fine one
 
 /// How many frames a pose lasts, by the distance from the eye [m].
@@ -33,13 +35,16 @@ float fastest_of(const LocomotionGraph& graph) {
 
 }  // namespace
 
-CrowdStage::CrowdStage(const Character& character, int count) : character_(character), scratch_(character.graph) {
+CrowdStage::CrowdStage(const Character& character, int count, const std::string& ground)
+    : character_(character), scratch_(character.graph) {
     const Skeleton& skeleton = *character.skeleton;
     add_level(make_mannequin(skeleton, character.roles, character.legs, character.standing));
     for (const int corners : k_level_corners)
         add_level(make_low_mannequin(skeleton, character.roles, character.legs, character.standing, corners));
     for (const Transform& joint : mesh_.bind) inverse_bind_.push_back(to_matrix(inverse(joint)));
     place(std::clamp(count, 1, k_max_crowd));
+    ground_ = make_crowd_ground(ground, rings_.back().radius + k_shown_beyond);
+    follow_ground();
 }
 
 void CrowdStage::add_level(const Mesh& level) {
@@ -79,7 +84,14 @@ void CrowdStage::place(int count) {
     }
     wishes_.resize(all);
     periods_.resize(all, 1);
+    feet_.resize(all);
     matrices_.resize(all * character_.skeleton->rest.size());
+}
+
+/// Roots to the ground's height.
+void CrowdStage::follow_ground() noexcept {
+    if (!ground_.ground) return;
+    for (RootFrame& root : roots_) root.position.y = height_at(*ground_.ground, root.position.x, root.position.z);
 }
 
 /// Around its ring, and back to it where it has strayed.
@@ -95,7 +107,7 @@ LocomotionRequest CrowdStage::ask(const RootFrame& root, const Ring& ring) const
     return request;
 }
 
-int CrowdStage::advance(float seconds, float eye_x, float eye_z, bool lasting) noexcept {
+int CrowdStage::advance(float seconds, float eye_x, float eye_z, bool lasting, bool feet) noexcept {
     const Vec3 eye{eye_x, 0, eye_z};
     for (std::size_t c = 0; c < roots_.size(); ++c) {
         wishes_[c] = ask(roots_[c], rings_[ring_of_[c]]);
@@ -106,7 +118,15 @@ int CrowdStage::advance(float seconds, float eye_x, float eye_z, bool lasting) n
     crowd.frame = frame_;
     crowd.matrices = matrices_;
     crowd.inverse_bind = inverse_bind_;
+    const bool laid = feet && ground_.ground;
+    if (laid) {
+        crowd.ground = ground_.ground.get();
+        crowd.feet = feet_;
+    } else {
+        std::fill(feet_.begin(), feet_.end(), CrowdFeet{});  // they stand on what they find when they are laid again
+    }
     evaluate(character_.graph, crowd, {0, roots_.size()}, std::max(seconds, 0.0f), scratch_);
+    if (!laid) follow_ground();
     int posed = 0;
     for (std::size_t c = 0; c < roots_.size(); ++c) posed += is_due(crowd, c) ? 1 : 0;
     ++frame_;
@@ -123,7 +143,8 @@ std::string CrowdStage::describe() const {
     return Json{{"count", roots_.size()},
                 {"joints", character_.skeleton->rest.size()},
                 {"radius", rings_.back().radius},
-                {"levels", std::move(levels)}}
+                {"levels", std::move(levels)},
+                {"grounds", crowd_ground_names()}}
         .dump();
 }
 

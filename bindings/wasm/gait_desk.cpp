@@ -1,34 +1,14 @@
 #include "gait_desk.h"
 
+#include <surefoot/author/fitted_gaits.h>
 #include <surefoot/base/error.h>
 #include <surefoot/io/bvh.h>
 #include <surefoot/io/gltf.h>
 #include <surefoot/mannequin/mannequin.h>
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace surefoot::wasm {
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json parameter_json(const GaitParameter& parameter) {
-    return {{"name", parameter.name}, {"initial", parameter.value}, {"low", parameter.low},  {"high", parameter.high},
-            {"unit", parameter.unit}, {"group", parameter.group},   {"help", parameter.help}};
-}
-
-Json preset_json(const Gait& gait, const GaitPreset& preset) {
-    Json values = Json::array();
-    for (const double value : gait_values(gait, preset.name, {})) values.push_back(value);
-    return {{"name", preset.name}, {"help", preset.help}, {"values", std::move(values)}};
-}
-
-}  // namespace
 
 std::string gaits_json() {
     Json out = Json::array();
@@ -36,84 +16,68 @@ std::string gaits_json() {
     for (std::size_t at = 0; at < all.size();) {
         const std::string_view name = all.substr(at, all.find('\n', at) - at);
         at += name.size() + 1;
-        out.push_back({{"name", name}, {"help", read_gait(bundled_gait(name), std::string(name)).help}});
+        const Gait gait = read_gait(bundled_gait(name), std::string(name));
+        out.push_back({{"name", name}, {"help", gait.help}, {"fitted", false}});
     }
+    for (const NamedGait& gait : fitted_gaits())
+        out.push_back({{"name", gait.name}, {"help", gait.help}, {"fitted", true}});
     return out.dump();
 }
 
-GaitDesk::GaitDesk(const Character& character)
-    : actor_(make_gait_actor(character.skeleton, {character.roles, "", {}}, character.legs, character.standing,
-                             character.name)) {}
+void GaitDesk::read(std::string_view text) { begin(expressed_gait(text)); }
 
-void GaitDesk::read(std::string_view text) {
-    Gait gait = read_gait(text, "line", GaitOutputs::everything);
-    take(gait_values(gait, "", {}), {}, gait);
-    gait_ = std::move(gait);
-}
-
-void GaitDesk::play(std::span<const double> values, double speed_mps, double turn_deg_s) {
-    if (values.size() != gait_.parameters.size())
-        throw Error("a gait takes one value a parameter", gait_.name, "read the gait first");
-    std::vector<double> wanted(values.begin(), values.end());
-    for (std::size_t p = 0; p < wanted.size(); ++p)
-        wanted[p] = std::clamp(wanted[p], gait_.parameters[p].low, gait_.parameters[p].high);
-    GaitPlay asked;
-    asked.speed_mps = speed_mps;
-    asked.turn_deg_s = turn_deg_s;
-    take(std::move(wanted), asked, gait_);
-}
+void GaitDesk::read_fitted(const std::string& name) { begin(fitted_gait_source(name)); }
 
 /// All of it, or, where that throws, nothing.
-void GaitDesk::take(std::vector<double> values, const GaitPlay& asked, const Gait& gait) {
-    GaitMoments moments;
-    moments.speed_mps = asked.speed_mps;
-    moments.turn_deg_s = asked.turn_deg_s;
-    moments.steps = k_curve_points - 1;
-    const GaitTable table = sample_gait(gait, values, moments);
-    const std::size_t outputs = gait.outputs.size();
-    std::vector<float> curves;
-    for (std::size_t output = 0; output < outputs; ++output) {
-        if (!gait.outputs[output].control) continue;
-        for (std::size_t row = 0; row < table.times_s.size(); ++row) {
-            const double value = table.values[row * outputs + output];
-            curves.push_back(std::isfinite(value) ? static_cast<float>(value)
-                                                  : std::numeric_limits<float>::quiet_NaN());
-        }
-    }
-    motion_ = gait_motion(gait, values, actor_, asked);
-    curves_ = std::move(curves);
-    values_ = std::move(values);
+void GaitDesk::begin(std::unique_ptr<GaitSource> source) {
+    std::vector<double> initial;
+    for (const GaitParameter& parameter : source->parameters()) initial.push_back(parameter.value);
+    take(*source, initial, {});
+    source_ = std::move(source);
+}
+
+const GaitSource& GaitDesk::source() const {
+    if (!source_) throw Error("there is no gait yet", "", "read one first");
+    return *source_;
+}
+
+void GaitDesk::play(std::span<const double> values, const GaitPlay& asked) { take(source(), values, asked); }
+
+void GaitDesk::take(const GaitSource& source, std::span<const double> values, const GaitPlay& asked) {
+    std::vector<double> wanted = within_ranges(source.parameters(), values, "the gait");
+    AnalyzedClip cycle = source.play(wanted, asked, body_, false);
+    curves_ = source.curves(wanted, asked, cycle);
+    cycle_ = std::move(cycle);
+    values_ = std::move(wanted);
     asked_ = asked;
 }
 
+void GaitDesk::put_on(StageBody body) {
+    if (source_) cycle_ = source_->play(values_, asked_, body, false);
+    body_ = std::move(body);
+    if (source_) curves_ = source_->curves(values_, asked_, cycle_);
+}
+
 std::string GaitDesk::describe() const {
-    Json out = {{"name", gait_.name},
-                {"help", gait_.help},
-                {"parameters", Json::array()},
-                {"presets", Json::array()},
-                {"warnings", gait_.warnings}};
-    for (const GaitParameter& parameter : gait_.parameters) out["parameters"].push_back(parameter_json(parameter));
-    for (const GaitPreset& preset : gait_.presets) out["presets"].push_back(preset_json(gait_, preset));
-    for (const std::string& control : bind_gait(gait_).unknown)
-        out["warnings"].push_back("the control '" + control + "' moves nothing");
+    Json out = source().describe(body_);
+    out["parameters"] = Json::array();
+    for (const GaitParameter& parameter : source_->parameters()) out["parameters"].push_back(parameter_json(parameter));
     return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string GaitDesk::played() const {
-    const ClipFacts facts = play_gait(gait_, values_, actor_, asked_).facts;
-    Json out = {{"duration", facts.duration}, {"speed", facts.speed}, {"turn", facts.turn},
-                {"stride", facts.stride},     {"skate", facts.skate}, {"curves", Json::array()}};
-    for (const GaitOutput& output : gait_.outputs)
-        if (output.control) out["curves"].push_back({{"name", output.name}, {"unit", output.unit}});
+    const ClipFacts facts = source().play(values_, asked_, body_, true).facts;
+    const Json out = {{"duration", facts.duration}, {"speed", facts.speed}, {"turn", facts.turn},
+                      {"stride", facts.stride},     {"skate", facts.skate}, {"curves", source_->curve_names()}};
     return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string GaitDesk::bvh() const { return write_bvh(motion_); }
+std::string GaitDesk::bvh() const { return write_bvh(motion()); }
 
 std::string GaitDesk::glb() const {
     GltfScene scene;
-    scene.motions.push_back(motion_);
-    scene.mesh = make_mannequin(motion_, actor_.roles.roles, actor_.legs);
+    scene.motions.push_back(motion());
+    scene.mesh = make_mannequin(motion(), body_.roles, body_.legs);
     return write_glb(scene);
 }
 

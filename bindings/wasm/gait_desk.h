@@ -1,9 +1,8 @@
 #pragma once
-// A gait of expressions for somebody to shape: its text, its parameters, its curves and the clip that it makes of the
-// character on the stage. What the studio's Gait workspace shows.
+// A gait for somebody to shape: its text or its personality, its parameters, its curves and the cycle that it makes of
+// a body. What the studio's Gait workspace shows.
 
-#include <surefoot/bake/character.h>
-#include <surefoot/gait_clip/gait_clip.h>
+#include "gait_source.h"
 
 #include <span>
 #include <string>
@@ -12,43 +11,48 @@
 
 namespace surefoot::wasm {
 
-/// The bundled gaits, [{"name", "help"}].
+/// The bundled gaits, [{"name", "help", "fitted"}].
 std::string gaits_json();
-
-inline constexpr int k_curve_points = 97;  ///< the last is one period after the first
 
 class GaitDesk {
   public:
-    /// Throws Error where the character has no legs that a gait could move.
-    explicit GaitDesk(const Character& character);
+    explicit GaitDesk(StageBody body) : body_(std::move(body)) {}
 
-    /// Another gait, with its own values. Throws Error with line, column and a caret; then the gait is as it was.
+    /// A gait of a text, with its own values. Throws Error with line, column and a caret; then the gait is as it was.
     void read(std::string_view text);
+    /// A bundled gait that was fitted to motion.
+    void read_fitted(const std::string& name);
     /// Other values, one a parameter; values that are out of range are brought into it. Speeds as GaitPlay has them;
     /// 0: the gait's own. Throws Error where the gait then has no period, and nothing has changed.
-    void play(std::span<const double> values, double speed_mps, double turn_deg_s);
+    void play(std::span<const double> values, const GaitPlay& asked);
+    /// The same on another body. Throws Error where it cannot go, and then nothing has changed.
+    void put_on(StageBody body);
 
-    /// Parameters, presets, controls and warnings: one JSON object (surefoot.d.mts: GaitFacts).
+    /// Parameters, presets and what can be asked for: one JSON object (surefoot.d.mts: GaitFacts).
     std::string describe() const;
     /// What the clip does (surefoot.d.mts: GaitPlayed): it is measured here, which takes longer than to play it.
     std::string played() const;
-    /// The curves of its controls over a cycle, one after the other, k_curve_points each; NaN where there is no value.
+    /// The curves of what it does over a cycle, one after the other, k_curve_points each; NaN where there is no value.
     std::span<const float> curves() const noexcept { return curves_; }
 
-    const Motion& motion() const noexcept { return motion_; }
-    const Legs& legs() const noexcept { return actor_.legs; }
+    const Motion& motion() const noexcept { return cycle_.motion; }
+    const StageBody& body() const noexcept { return body_; }
+    /// Rise a metre along +Z of the ground on which it goes.
+    float rise() const { return source_->rise(asked_, cycle_); }
     /// The clip as the bytes of a file.
     std::string bvh() const;
     std::string glb() const;
 
   private:
-    void take(std::vector<double> values, const GaitPlay& asked, const Gait& gait);
+    void begin(std::unique_ptr<GaitSource> source);
+    void take(const GaitSource& source, std::span<const double> values, const GaitPlay& asked);
+    const GaitSource& source() const;
 
-    GaitActor actor_;
-    Gait gait_;
+    StageBody body_;
+    std::unique_ptr<GaitSource> source_;
     std::vector<double> values_;
     GaitPlay asked_;
-    Motion motion_;
+    AnalyzedClip cycle_;
     std::vector<float> curves_;
 };
 

@@ -80,6 +80,8 @@ enum Array {
     k_crowd_joints,
     k_crowd_weights,
     k_crowd_triangles,
+    k_crowd_terrain,
+    k_crowd_terrain_triangles,
     k_gait_curves
 };
 
@@ -102,6 +104,10 @@ std::span<const std::byte> crowd_bytes_of(int array) {
             return as_bytes(span(mesh.weights));
         case k_crowd_triangles:
             return as_bytes(span(mesh.indices));
+        case k_crowd_terrain:
+            return as_bytes(span(g_crowd->terrain().positions));
+        case k_crowd_terrain_triangles:
+            return as_bytes(span(g_crowd->terrain().indices));
         default:
             return {};
     }
@@ -168,10 +174,14 @@ surefoot::wasm::Stage& stage() {
     return *g_stage;
 }
 
+/// Of the character on the stage, until it is given another body.
 surefoot::wasm::GaitDesk& gait_desk() {
-    if (!g_gait) throw surefoot::Error("there is no gait yet", "", "read one first");
+    if (!g_gait) g_gait = std::make_unique<surefoot::wasm::GaitDesk>(surefoot::wasm::body_of(stage().character()));
     return *g_gait;
 }
+
+/// What is on the desk goes on the stage; true where the body is another one.
+bool show_gait() { return stage().play(gait_desk().motion(), gait_desk().body(), gait_desk().rise()); }
 
 }  // namespace
 
@@ -426,20 +436,56 @@ SUREFOOT_EXPORT(sf_gait_source) int sf_gait_source(const char* name, std::size_t
 /// error all is as it was.
 SUREFOOT_EXPORT(sf_gait_read) int sf_gait_read(const char* text, std::size_t size) {
     return guarded([&] {
-        if (!g_gait) g_gait = std::make_unique<surefoot::wasm::GaitDesk>(stage().character());
-        g_gait->read({text, size});
-        stage().play(g_gait->motion());
-        return g_gait->describe();
+        gait_desk().read({text, size});
+        show_gait();
+        return gait_desk().describe();
     });
 }
 
-/// The same gait with other values, one a parameter; k_gait_curves has the curves of its controls from now on.
-SUREFOOT_EXPORT(sf_gait_play)
-int sf_gait_play(const double* values, int count, double speed_mps, double turn_deg_s) {
+/// The same of a bundled gait that was fitted to motion.
+SUREFOOT_EXPORT(sf_gait_fitted) int sf_gait_fitted(const char* name, std::size_t size) {
     return guarded([&] {
-        gait_desk().play({values, static_cast<std::size_t>(std::max(count, 0))}, speed_mps, turn_deg_s);
-        stage().play(gait_desk().motion());
+        gait_desk().read_fitted({name, size});
+        show_gait();
+        return gait_desk().describe();
+    });
+}
+
+/// The same gait with other values, one a parameter; k_gait_curves has the curves of what it does from now on.
+SUREFOOT_EXPORT(sf_gait_play)
+int sf_gait_play(const double* values, int count, double speed_mps, double turn_deg_s, double slope_deg) {
+    return guarded([&] {
+        surefoot::GaitPlay asked;
+        asked.speed_mps = speed_mps;
+        asked.turn_deg_s = turn_deg_s;
+        asked.slope_deg = slope_deg;
+        gait_desk().play({values, static_cast<std::size_t>(std::max(count, 0))}, asked);
+        show_gait();
         return std::string();
+    });
+}
+
+/// Text: the values that a personality's text gives the sliders of fitted gaits.
+SUREFOOT_EXPORT(sf_gait_personality) int sf_gait_personality(const char* text, std::size_t size) {
+    return guarded([&] { return nlohmann::ordered_json(surefoot::wasm::personality_values({text, size})).dump(); });
+}
+
+/// Text: the bundled rig templates (rigs_json).
+SUREFOOT_EXPORT(sf_rigs) int sf_rigs() {
+    return guarded([] { return surefoot::wasm::rigs_json(); });
+}
+
+/// The gait on the body of a template with these values, one a parameter; without a name on that of the character.
+/// Text: {"gait", "character"}, as GaitDesk and Stage describe themselves from now on; the latter is null where the
+/// body is the same. After an error all is as it was.
+SUREFOOT_EXPORT(sf_gait_rig) int sf_gait_rig(const char* name, std::size_t size, const double* values, int count) {
+    return guarded([&] {
+        const std::span<const double> given(values, static_cast<std::size_t>(std::max(count, 0)));
+        gait_desk().put_on(size == 0 ? surefoot::wasm::body_of(stage().character())
+                                     : surefoot::wasm::rigged_body({name, size}, given));
+        const bool changed = show_gait();
+        return R"({"gait":)" + gait_desk().describe() + R"(,"character":)" + (changed ? stage().describe() : "null") +
+               "}";
     });
 }
 
@@ -448,9 +494,14 @@ SUREFOOT_EXPORT(sf_gait_played) int sf_gait_played() {
     return guarded([] { return gait_desk().played(); });
 }
 
-/// The character goes by its own clips again, and in no gait and no graph.
-SUREFOOT_EXPORT(sf_gait_stop) void sf_gait_stop() {
-    if (g_stage) g_stage->stop_playing();
+/// The character goes by its own clips again, and in no gait and no graph. Text: what it is, where that is not who was
+/// seen before; else null.
+SUREFOOT_EXPORT(sf_gait_stop) int sf_gait_stop() {
+    return guarded([] {
+        const bool changed = g_stage && g_stage->stop_playing();
+        g_gait.reset();
+        return changed ? g_stage->describe() : std::string("null");
+    });
 }
 
 /// Text: the gait's clip as the bytes of a file, 0 BVH, 1 GLB.
@@ -458,17 +509,18 @@ SUREFOOT_EXPORT(sf_gait_file) int sf_gait_file(int format) {
     return guarded([&] { return format == 0 ? gait_desk().bvh() : gait_desk().glb(); });
 }
 
-/// So many of the character on the stage, at the start of their way. Text: what they are (CrowdStage::describe).
-SUREFOOT_EXPORT(sf_crowd) int sf_crowd(int count) {
+/// So many of the character on the stage, at the start of their way on a ground (crowd_ground_names). Text: what they
+/// are (CrowdStage::describe).
+SUREFOOT_EXPORT(sf_crowd) int sf_crowd(int count, const char* ground, std::size_t size) {
     return guarded([&] {
-        g_crowd = std::make_unique<surefoot::wasm::CrowdStage>(stage().character(), count);
+        g_crowd = std::make_unique<surefoot::wasm::CrowdStage>(stage().character(), count, std::string(ground, size));
         return g_crowd->describe();
     });
 }
 
 /// One frame of the crowd (CrowdStage::advance); returns how many were posed, 0 without a crowd.
-SUREFOOT_EXPORT(sf_crowd_advance) int sf_crowd_advance(float seconds, float eye_x, float eye_z, int lasting) {
-    return g_crowd ? g_crowd->advance(seconds, eye_x, eye_z, lasting != 0) : 0;
+SUREFOOT_EXPORT(sf_crowd_advance) int sf_crowd_advance(float seconds, float eye_x, float eye_z, int lasting, int feet) {
+    return g_crowd ? g_crowd->advance(seconds, eye_x, eye_z, lasting != 0, feet != 0) : 0;
 }
 
 /// A graph for the character on the stage, which goes as it says from now on. Text: what it is (GraphDesk::describe).
@@ -503,6 +555,12 @@ int sf_json_edit(const char* text, std::size_t size, const char* pointer, std::s
     return guarded([&] {
         return surefoot::with_json_value({text, size}, {pointer, pointer_size}, {value, value_size});
     });
+}
+
+/// Text: a JSON text without what is at a place (json_edit.h).
+SUREFOOT_EXPORT(sf_json_remove)
+int sf_json_remove(const char* text, std::size_t size, const char* pointer, std::size_t pointer_size) {
+    return guarded([&] { return surefoot::without_json_value({text, size}, {pointer, pointer_size}); });
 }
 
 /// Where an array begins and how many bytes it has; valid until the next call that opens, or changes the course.

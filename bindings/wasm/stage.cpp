@@ -75,10 +75,11 @@ void put(std::span<float> frame, std::size_t at, const Transform& transform) {
             frame[at + 4 * column + row] = row < 3 ? m.m[4 * row + column] : column == 3 ? 1.0f : 0.0f;
 }
 
-/// What touches the ground, judged on the flat twin.
-int contact_of(const LegTrack& twin) {
+/// What touches the ground, judged on the twin that goes on a plane through its root.
+int contact_of(const LegTrack& twin, float rise) {
     constexpr float k_down = 0.02f;  // [m]
-    const bool heel = twin.sole[0].y < k_down, toes = std::min(twin.sole[2].y, twin.sole[3].y) < k_down;
+    const auto over = [&](std::size_t point) { return twin.sole[point].y - rise * twin.sole[point].z; };
+    const bool heel = over(0) < k_down, toes = std::min(over(2), over(3)) < k_down;
     return (heel ? 1 : 0) + (toes ? 2 : 0);
 }
 
@@ -117,20 +118,28 @@ Character packed_character(std::span<const std::byte> bytes) {
 
 Stage::Stage(Character character, std::vector<std::byte> bytes)
     : bytes_(std::move(bytes)), character_(std::move(character)) {
-    bind_mesh();
-    const std::size_t pose_floats = 16 * character_.standing.size();
-    frame_.resize(k_joints + pose_floats + k_most_ghosts * (k_ghost_joints + pose_floats));
-    models_.resize(character_.standing.size());
+    wear(body_of(character_));
     walker_ = make_character_walker(character_);
     set_course("hills", grade_);
 }
 
+/// True where it is another one than before.
+bool Stage::wear(const StageBody& body) {
+    if (body.skeleton == body_.skeleton) return false;
+    body_ = body;
+    bind_mesh();
+    const std::size_t pose_floats = 16 * body_.standing.size();
+    frame_.assign(k_joints + pose_floats + k_most_ghosts * (k_ghost_joints + pose_floats), 0);
+    models_.resize(body_.standing.size());
+    return true;
+}
+
 void Stage::bind_mesh() {
-    mesh_ = make_mannequin(*character_.skeleton, character_.roles, character_.legs, character_.standing);
+    mesh_ = make_mannequin(*body_.skeleton, body_.roles, body_.legs, body_.standing);
     std::vector<Transform> bind = mesh_.bind;
     if (bind.empty()) {
-        bind.resize(character_.skeleton->rest.size());
-        local_to_model(*character_.skeleton, character_.skeleton->rest, bind);
+        bind.resize(body_.skeleton->rest.size());
+        local_to_model(*body_.skeleton, body_.skeleton->rest, bind);
     }
     inverse_bind_.resize(16 * bind.size());
     for (std::size_t j = 0; j < bind.size(); ++j) put(inverse_bind_, 16 * j, inverse(bind[j]));
@@ -170,20 +179,21 @@ std::string Stage::describe() const {
                       {"hip", k_hip},
                       {"ankle", k_ankle}};
     Json clip_names = Json::array();
-    for (const PackedClip& clip : character_.graph.clips) clip_names.push_back(clip.name);
-    Json out = {{"name", character_.name.empty() ? "Character" : character_.name},
-                {"joints", character_.skeleton->names},
-                {"parents", character_.skeleton->parents},
-                {"clips", character_.graph.clips.size()},
+    const bool own = body_.skeleton == character_.skeleton;  // whose clips they are
+    if (own)
+        for (const PackedClip& clip : character_.graph.clips) clip_names.push_back(clip.name);
+    Json out = {{"name", body_.name},
+                {"joints", body_.skeleton->names},
+                {"parents", body_.skeleton->parents},
                 {"clipNames", std::move(clip_names)},
-                {"hipHeight", character_.hip_height},
+                {"hipHeight", body_.hip_height},
                 {"facing", axes_of(character_.graph.facing)},
                 {"lateral", axes_of(character_.graph.lateral)},
                 {"courses", course_names()},
                 {"figures", std::move(figures)},
                 {"warnings", character_.warnings},
                 {"layout", std::move(layout)}};
-    for (std::size_t side = 0; side < 2; ++side) out["ankles"].push_back(character_.legs.side[side].foot);
+    for (std::size_t side = 0; side < 2; ++side) out["ankles"].push_back(body_.legs.side[side].foot);
     return out.dump();
 }
 
@@ -194,37 +204,70 @@ void Stage::set_course(const std::string& name, float grade_deg) {
 }
 
 void Stage::put_on_course() {
-    FootSettings settings;
-    settings.mode = guest_ ? FootMode::none : mode_;
     Walker& walker = guest_ ? *guest_ : *walker_;
-    placed_ = std::make_unique<PlacedWalker>(walker, *course_.ground, settings);
+    placed_ = std::make_unique<PlacedWalker>(walker, *course_.ground, placement());
     restart();
 }
 
-void Stage::play(Motion cycle) {
+FootSettings Stage::placement() const noexcept {
+    FootSettings settings;
+    settings.mode = guest_ ? FootMode::none : mode_;
+    return settings;
+}
+
+bool Stage::play(Motion cycle, const StageBody& body, float rise) {
     if (cycle_) {
-        cycle_->change(std::move(cycle));
-        return;
+        cycle_->change(std::move(cycle), body.legs);
+        tilt_floor(rise);
+        const bool changed = wear(body);
+        if (changed) placed_ = std::make_unique<PlacedWalker>(*guest_, *course_.ground, placement());
+        placed_->take_up();
+        rolling_.clear();
+        write_frame();
+        return changed;
     }
-    auto guest = std::make_shared<CycleWalker>(std::move(cycle), character_.legs);
+    auto guest = std::make_shared<CycleWalker>(std::move(cycle), body.legs);
     CycleWalker* const walker = guest.get();
-    play(std::move(guest), nullptr);
+    const bool changed = wear(body);
+    put_on_stage(std::move(guest), nullptr);
     cycle_ = walker;
+    course_.ground = floor_;
+    floor_->tilt(0, {});
+    tilt_floor(rise);
+    put_on_course();
+    return changed;
+}
+
+/// The ground goes on under who is on it.
+void Stage::tilt_floor(float rise) {
+    if (rise == floor_->rise()) return;
+    floor_->tilt(rise, placed_->root().position);
+    course_.mesh = floor_->mesh(k_shown);
 }
 
 void Stage::play(std::shared_ptr<Walker> guest, std::function<LocomotionRequest()> asks) {
+    wear(body_of(character_));
+    put_on_stage(std::move(guest), std::move(asks));
+}
+
+void Stage::put_on_stage(std::shared_ptr<Walker> guest, std::function<LocomotionRequest()> asks) {
     const std::shared_ptr<Walker> gone = std::exchange(guest_, std::move(guest));
     asks_ = std::move(asks);
     cycle_ = nullptr;
     set_course("flat", grade_);
 }
 
-void Stage::stop_playing() {
-    if (!guest_) return;
+bool Stage::stop_playing() {
+    if (!guest_) return false;
     const std::shared_ptr<Walker> gone = std::move(guest_);
     asks_ = nullptr;
     cycle_ = nullptr;
-    put_on_course();
+    const bool changed = wear(body_of(character_));
+    if (course_.ground == floor_)
+        set_course("flat", grade_);
+    else
+        put_on_course();
+    return changed;
 }
 
 /// A guest that nobody turns around comes to the end of what is shown of its ground.
@@ -264,7 +307,7 @@ void Stage::restart() {
     parts_done_ = 0;
     speed_ = patrols_ ? patrol_speed_ : asked_.speed;
     turn_ = 0;
-    rolling_.add(*placed_, character_.legs);
+    rolling_.add(*placed_, body_.legs);
     write_frame();
 }
 
@@ -282,7 +325,7 @@ void Stage::advance(int frames, int parts) {
         time_ += static_cast<double>(dt);
         // Figures are for frames of 1/60 s, whatever time is shown in between.
         if (++parts_done_ >= parts) {
-            rolling_.add(*placed_, character_.legs);
+            rolling_.add(*placed_, body_.legs);
             parts_done_ = 0;
         }
     }
@@ -313,22 +356,22 @@ void Stage::write_frame() {
     frame_[k_turn] = turn_;
     frame_[k_speed_limit] = placed_->speed_limit() < k_no_speed_limit ? placed_->speed_limit() : 0;
 
-    local_to_model(*character_.skeleton, placed_->locals(), models_);
+    local_to_model(*body_.skeleton, placed_->locals(), models_);
     const Transform world = to_transform(root);
     for (Transform& joint : models_) joint = world * joint;
     for (std::size_t j = 0; j < models_.size(); ++j) put(frame_, k_joints + 16 * j, models_[j]);
     write_ghosts(world);
-    const TrackFrame now = track_frame(root, models_, character_.legs);
+    const TrackFrame now = track_frame(root, models_, body_.legs);
     frame_[k_hips] = now.hips.y - root.position.y;
 
     frame_[k_phase] = cycle_ ? static_cast<float>(cycle_->share()) : 0;
 
     std::vector<Transform> flat(placed_->unplaced().begin(), placed_->unplaced().end());
-    const TrackFrame twin = track_frame({}, flat, character_.legs);
+    const TrackFrame twin = track_frame({}, flat, body_.legs);
     for (std::size_t side = 0; side < 2; ++side) {
         const std::span<float> foot = std::span(frame_).subspan(k_feet + side * k_foot_floats, k_foot_floats);
         const LegTrack& leg = now.legs[side];
-        foot[k_contact] = static_cast<float>(contact_of(twin.legs[side]));
+        foot[k_contact] = static_cast<float>(contact_of(twin.legs[side], cycle_ ? floor_->rise() : 0));
         foot[k_planted] = placed_->feet().planted[side] ? 1 : 0;
         foot[k_pulled_in] = placed_->feet().pulled_in[side] ? 1 : 0;
         float clearance = std::numeric_limits<float>::max();

@@ -2,6 +2,9 @@
 // A character on a course for somebody to look at and to steer: what the studio's Terrain workspace shows. Plain C++
 // that a native build can run as well, so that a test can compare the two bit by bit.
 
+#include "floor.h"
+#include "stage_body.h"
+
 #include <surefoot/bake/character.h>
 #include <surefoot/course/cycle_walker.h>
 #include <surefoot/course/patrol.h>
@@ -42,16 +45,17 @@ class Stage {
     void steer_to(const std::string& space, std::span<const float> at);
     void patrol(float speed) noexcept;
     void restart();
-    /// From now on it goes in this cycle instead, of its own skeleton: on flat ground, feet not placed, steered by
-    /// nobody. Further calls change the cycle on the way. Throws Error for what is no cycle.
-    void play(Motion cycle);
+    /// From now on this body goes in this cycle instead: on a plane that rises by `rise` a metre along +Z, feet not
+    /// placed, steered by nobody. Further calls change cycle, body and plane on the way. True where it is another body,
+    /// and with it the mesh and what lies where in a frame. Throws Error for what is no cycle.
+    bool play(Motion cycle, const StageBody& body, float rise = 0);
     /// From now on it goes as this walker of its own skeleton says, on flat ground, feet not placed. `asks` says what
     /// is asked of it, once a frame.
     void play(std::shared_ptr<Walker> guest, std::function<LocomotionRequest()> asks);
     /// Who goes instead of its own clips; null: nobody.
     const Walker* guest() const noexcept { return guest_.get(); }
-    /// By its own clips again, on the course that it is on, from the start.
-    void stop_playing();
+    /// By its own clips again, on the course that it is on, from the start. True where that is another body.
+    bool stop_playing();
     const Character& character() const noexcept { return character_; }
     /// Which clips play at a place of a space ("facing"), and how much: a JSON array, heaviest first. Throws Error
     /// where there is no such space.
@@ -70,14 +74,19 @@ class Stage {
 
   private:
     const LocomotionSpace& space_named(const std::string& name) const;
+    bool wear(const StageBody& body);
     void bind_mesh();
+    void put_on_stage(std::shared_ptr<Walker> guest, std::function<LocomotionRequest()> asks);
     void put_on_course();
+    FootSettings placement() const noexcept;
+    void tilt_floor(float rise);
     bool is_off_course() const noexcept;
     void write_frame();
     void write_ghosts(const Transform& root);
 
     std::vector<std::byte> bytes_;
     Character character_;
+    StageBody body_;  ///< that is seen: the character's, or that of a guest
     Mesh mesh_;
     std::vector<float> inverse_bind_, frame_;
     std::unique_ptr<Walker> walker_;
@@ -86,6 +95,7 @@ class Stage {
     CycleWalker* cycle_ = nullptr;  ///< the guest, if it is one
     std::unique_ptr<PlacedWalker> placed_;
     Course course_;
+    std::shared_ptr<Floor> floor_ = std::make_shared<Floor>();  ///< of cycles
     float grade_ = 15;
     FootMode mode_ = FootMode::surefoot;
     Patrol patrol_{0};

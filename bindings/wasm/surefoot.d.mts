@@ -40,16 +40,21 @@ export interface Exports {
   sf_gaits(): number;
   sf_gait_source(name: number, size: number): number;
   sf_gait_read(text: number, size: number): number;
-  sf_gait_play(values: number, count: number, speed: number, turn: number): number;
+  sf_gait_fitted(name: number, size: number): number;
+  sf_gait_play(values: number, count: number, speed: number, turn: number, slope: number): number;
+  sf_gait_personality(text: number, size: number): number;
+  sf_rigs(): number;
+  sf_gait_rig(name: number, size: number, values: number, count: number): number;
   sf_gait_played(): number;
-  sf_gait_stop(): void;
+  sf_gait_stop(): number;
   sf_gait_file(format: number): number;
   sf_graph_read(text: number, size: number): number;
   sf_graph_set(parameter: number, value: number): void;
   sf_graph_live(): number;
   sf_json_edit(text: number, size: number, pointer: number, pointerSize: number, value: number, valueSize: number): number;
-  sf_crowd(count: number): number;
-  sf_crowd_advance(seconds: number, eyeX: number, eyeZ: number, lasting: number): number;
+  sf_json_remove(text: number, size: number, pointer: number, pointerSize: number): number;
+  sf_crowd(count: number, ground: number, size: number): number;
+  sf_crowd_advance(seconds: number, eyeX: number, eyeZ: number, lasting: number, feet: number): number;
   sf_array(array: number): number;
   sf_array_bytes(array: number): number;
 }
@@ -133,8 +138,7 @@ export interface CharacterFacts {
   name: string;
   joints: string[];
   parents: number[];
-  /** How many clips it has, and what they are called. */
-  clips: number;
+  /** What its clips are called; none where it goes in a gait on a template's body. */
   clipNames: string[];
   /** [m] */
   hipHeight: number;
@@ -280,13 +284,34 @@ export interface GaitPreset {
   values: number[];
 }
 
-/** A gait as its text says it. */
+/** What a gait can be asked for: from `low` to `high`; `own` is what it does by itself. */
+export interface GaitRange {
+  own: number;
+  low: number;
+  high: number;
+}
+
+/** A gait as its text says it, or as it was fitted to motion. */
 export interface GaitFacts {
   name: string;
   help: string;
-  parameters: GaitParameter[];
+  /** To motion: its parameters are sliders of personalities, and its presets bundled ones. */
+  fitted: boolean;
   presets: GaitPreset[];
+  /** [m/s], [deg/s]; null: it goes as it goes. */
+  speed: GaitRange | null;
+  turn: GaitRange | null;
+  /** It can be asked to go up and down. */
+  slopes: boolean;
   warnings: string[];
+  parameters: GaitParameter[];
+}
+
+/** A template of bodies. */
+export interface RigFacts {
+  name: string;
+  help: string;
+  parameters: GaitParameter[];
 }
 
 /** What a gait does with the values that it plays with. */
@@ -380,6 +405,8 @@ export interface CrowdFacts {
   radius: number;
   /** The mesh at several levels, finest first: which of `crowdTriangles` are each one's. */
   levels: { first: number; count: number }[];
+  /** What they can go on. */
+  grounds: string[];
 }
 
 export interface Arrays {
@@ -401,6 +428,9 @@ export interface Arrays {
   crowdJoints: Uint16Array;
   crowdWeights: Float32Array;
   crowdTriangles: Uint32Array;
+  /** The ground that they go on. */
+  crowdTerrain: Float32Array;
+  crowdTerrainTriangles: Uint32Array;
   /** By control of the gait, in order of GaitPlayed.curves: equally many values each, over one cycle, both ends included; NaN where there is none */
   gaitCurves: Float32Array;
 }
@@ -455,15 +485,25 @@ export interface Surefoot {
   /** It is on disk as it is now. */
   benchSaved(): void;
   /** The bundled gaits, and the text of one. */
-  gaits(): { name: string; help: string }[];
+  gaits(): { name: string; help: string; fitted: boolean }[];
   gaitSource(name: string): string;
   /** The character goes in this gait from now on. Throws with line, column and a caret, and all stays as it was. */
   gaitRead(text: string): GaitFacts;
-  /** One value a parameter; speeds of 0 are the gait's own. */
-  gaitPlay(values: number[], speed: number, turn: number): void;
+  /** The same of a bundled gait that was fitted to motion. */
+  gaitFitted(name: string): GaitFacts;
+  /** One value a parameter; a speed of 0 is the gait's own. Turns to the left and slopes uphill are positive. */
+  gaitPlay(values: number[], speed: number, turn: number, slope: number): void;
+  /** What a personality's text (JSON) sets the parameters of fitted gaits to. */
+  gaitPersonality(text: string): number[];
+  /** The bundled rig templates. */
+  rigs(): RigFacts[];
+  /** The gait on the body of a template with one value a parameter, or, without a name, on the character's own, until
+   *  `gaitStop`: what the gait is then, and who is seen; null where it is the same body. Throws, and all stays as it was. */
+  gaitRig(name: string, values: number[]): { gait: GaitFacts; character: CharacterFacts | null };
   /** What it does now: measured, which takes longer than to play it. */
   gaitPlayed(): GaitPlayed;
-  gaitStop(): void;
+  /** By its own clips, on its own body: who is seen then; null where it is the same body. */
+  gaitStop(): CharacterFacts | null;
   /** The gait's clip as a file. */
   gaitFile(format: 'bvh' | 'glb'): Uint8Array<ArrayBuffer>;
   /** The character goes as this graph says from now on, until `gaitStop`. Read again with other numbers it goes on where
@@ -473,10 +513,13 @@ export interface Surefoot {
   graphLive(): GraphLive;
   /** A JSON text with `value` (JSON) at a pointer, and every other byte as it was. */
   jsonEdit(text: string, pointer: string, value: string): string;
-  /** So many of the character on the stage, from the start. */
-  crowd(count: number): CrowdFacts;
-  /** One frame of them; with `lasting`, poses far from the eye last for several frames. How many were posed. */
-  crowdAdvance(seconds: number, eyeX: number, eyeZ: number, lasting: boolean): number;
+  /** The same without what is at a pointer. */
+  jsonRemove(text: string, pointer: string): string;
+  /** So many of the character on the stage, from the start, on one of CrowdFacts.grounds (without: flat). */
+  crowd(count: number, ground?: string): CrowdFacts;
+  /** One frame of them; with `lasting`, poses far from the eye last for several frames; without `feet`, roots alone follow
+   *  the ground. How many were posed. */
+  crowdAdvance(seconds: number, eyeX: number, eyeZ: number, lasting: boolean, feet?: boolean): number;
   array<Name extends keyof Arrays>(name: Name): Arrays[Name];
 }
 

@@ -79,6 +79,8 @@ const k_arrays = {
   crowdJoints: Uint16Array,
   crowdWeights: Float32Array,
   crowdTriangles: Uint32Array,
+  crowdTerrain: Float32Array,
+  crowdTerrainTriangles: Uint32Array,
   gaitCurves: Float32Array,
 };
 
@@ -243,9 +245,33 @@ class Surefoot {
     return JSON.parse(this.#named('sf_gait_read', text));
   }
 
-  /** In the same gait with other values, one a parameter; speeds of 0 are its own. */
-  gaitPlay(values, speed, turn) {
-    this.#with([new Float64Array(values)], (at) => this.#text(this.#c.sf_gait_play(at, values.length, speed, turn)));
+  /** The same of a bundled one that was fitted to motion. */
+  gaitFitted(name) {
+    return JSON.parse(this.#named('sf_gait_fitted', name));
+  }
+
+  /** In the same gait with other values, one a parameter; a speed of 0 is its own. */
+  gaitPlay(values, speed, turn, slope) {
+    this.#with([new Float64Array(values)], (at) =>
+      this.#text(this.#c.sf_gait_play(at, values.length, speed, turn, slope)),
+    );
+  }
+
+  /** What a personality's text sets the sliders of fitted gaits to. */
+  gaitPersonality(text) {
+    return JSON.parse(this.#named('sf_gait_personality', text));
+  }
+
+  rigs() {
+    return JSON.parse(this.#text(this.#c.sf_rigs()));
+  }
+
+  /** The gait on the body of a template with these values, one a parameter, or, without a name, on the character's. */
+  gaitRig(name, values) {
+    const text = new TextEncoder().encode(name);
+    return this.#with([text, new Float64Array(values)], (at, numbers) =>
+      JSON.parse(this.#text(this.#c.sf_gait_rig(at, text.length, numbers, values.length))),
+    );
   }
 
   /** What it does now: measured, which takes longer than to play it. */
@@ -255,7 +281,7 @@ class Surefoot {
 
   /** By its own clips again. */
   gaitStop() {
-    this.#c.sf_gait_stop();
+    return JSON.parse(this.#text(this.#c.sf_gait_stop()));
   }
 
   /** The gait's clip as the bytes of a file, 'bvh' or 'glb'. */
@@ -285,13 +311,22 @@ class Surefoot {
     );
   }
 
-  /** So many of the character on the stage. */
-  crowd(count) {
-    return JSON.parse(this.#text(this.#c.sf_crowd(count)));
+  /** A JSON text without what is at a pointer. */
+  jsonRemove(text, pointer) {
+    const parts = [text, pointer].map((each) => new TextEncoder().encode(each));
+    return this.#with(parts, (...at) =>
+      this.#text(this.#c.sf_json_remove(...at.flatMap((place, i) => [place, parts[i].length]))),
+    );
   }
 
-  crowdAdvance(seconds, eyeX, eyeZ, lasting) {
-    return this.#c.sf_crowd_advance(seconds, eyeX, eyeZ, lasting ? 1 : 0);
+  /** So many of the character on the stage, on a ground. */
+  crowd(count, ground = 'flat') {
+    const name = new TextEncoder().encode(ground);
+    return this.#with([name], (at) => JSON.parse(this.#text(this.#c.sf_crowd(count, at, name.length))));
+  }
+
+  crowdAdvance(seconds, eyeX, eyeZ, lasting, feet = true) {
+    return this.#c.sf_crowd_advance(seconds, eyeX, eyeZ, lasting ? 1 : 0, feet ? 1 : 0);
   }
 
   /** Gives files to the next call that opens some. */

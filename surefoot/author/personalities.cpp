@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <limits>
 
 namespace surefoot {
 namespace {
@@ -41,6 +42,19 @@ bool has(BodyPart part, std::string_view slider) {
     return true;
 }
 
+/// The value of a slider in a style, const or not; null where there is no slider of that name.
+template <typename Style>
+auto* find_slider(Style& style, std::string_view name) {
+    for (const auto& range : k_whole)
+        if (name == range.name) return &(style.*range.value);
+    const std::size_t dot = name.find('.');
+    for (std::size_t p = 0; p < k_body_parts && dot != std::string_view::npos; ++p)
+        for (const auto& range : k_of_part)
+            if (name.substr(0, dot) == k_parts[p] && name.substr(dot + 1) == range.name)
+                return &(style.parts[p].*range.value);
+    return static_cast<decltype(&style.stride)>(nullptr);
+}
+
 }  // namespace
 
 std::vector<Slider> sliders() {
@@ -59,16 +73,17 @@ void set_slider(GaitStyle& style, const std::string& name, float value, const st
         if (!(value >= slider.least && value <= slider.most))
             throw Error(fmt::format("{} = {:g} is not between {:g} and {:g}", name, value, slider.least, slider.most),
                         where, "stay within its range");
-        for (const auto& range : k_whole)
-            if (name == range.name) style.*range.value = value;
-        for (std::size_t p = 0; p < k_body_parts; ++p)
-            for (const auto& range : k_of_part)
-                if (name == std::string(k_parts[p]) + "." + range.name) style.parts[p].*range.value = value;
+        *find_slider(style, name) = value;
         return;
     }
     std::string names;
     for (const Slider& slider : sliders()) names += (names.empty() ? "" : ", ") + slider.name;
     throw Error("there is no slider '" + name + "'", where, "there are " + names);
+}
+
+float slider_value(const GaitStyle& style, const std::string& name) noexcept {
+    const float* value = find_slider(style, name);
+    return value ? *value : std::numeric_limits<float>::quiet_NaN();
 }
 
 std::vector<Personality> read_personalities(std::string_view text, const std::string& where) {

@@ -27,6 +27,8 @@ const std::vector<Personality>& bundled_personalities();
 
 /// Sets one slider by its name in the file: "stride", "spine.lean_deg". Throws Error.
 void set_slider(GaitStyle& style, const std::string& name, float value, const std::string& where);
+/// Its value; NaN where there is no slider of that name.
+float slider_value(const GaitStyle& style, const std::string& name) noexcept;
 
 /// Names of all sliders and their ranges, in the file's order.
 struct Slider {

@@ -19,17 +19,23 @@ Motion made_ready(Motion cycle) {
 }  // namespace
 
 CycleWalker::CycleWalker(Motion cycle, const Legs& legs) : cycle_(made_ready(std::move(cycle))), legs_(legs) {
+    stand();
+}
+
+void CycleWalker::stand() {
     standing_.resize(static_cast<std::size_t>(cycle_.joint_count()));
     scratch_.resize(standing_.size());
     local_to_model(*cycle_.skeleton, cycle_.frame(0), standing_);
 }
 
-void CycleWalker::change(Motion cycle) {
+void CycleWalker::change(Motion cycle, const Legs& legs) {
     Motion next = made_ready(std::move(cycle));
     RootFrame here, there;
     look(0, here, scratch_);
     const double done = share();
     cycle_ = std::move(next);
+    legs_ = legs;
+    stand();
     time_ = done * static_cast<double>(cycle_.duration());
     sample(cycle_, static_cast<float>(time_), there, scratch_);
     origin_ = here * between(there, {});

@@ -11,9 +11,9 @@ class CycleWalker final : public Walker {
     /// `cycle` has root motion and at least two frames. Throws Error.
     CycleWalker(Motion cycle, const Legs& legs);
 
-    /// From now on this one, of the same skeleton: at the same share of the cycle, from the same place. Throws Error
-    /// as above, and then nothing has changed.
-    void change(Motion cycle);
+    /// From now on this one: at the same share of the cycle, from the same place. Throws Error as above, and then
+    /// nothing has changed. It may be of another skeleton; whoever places this walker then has to be made anew.
+    void change(Motion cycle, const Legs& legs);
 
     /// Which share of the cycle is over, [0, 1).
     double share() const noexcept;
@@ -28,6 +28,8 @@ class CycleWalker final : public Walker {
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override;
 
   private:
+    void stand();
+
     Motion cycle_;
     Legs legs_;
     std::vector<Transform> standing_;

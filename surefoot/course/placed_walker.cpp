@@ -80,6 +80,10 @@ PlacedWalker::~PlacedWalker() = default;
 void PlacedWalker::start(float speed_mps, float speed_limit) {
     walker_.limit_speed(k_no_speed_limit);
     walker_.start(speed_mps);
+    take_up(speed_limit);
+}
+
+void PlacedWalker::take_up(float speed_limit) {
     state_ = {};
     output_ = {};
     forget_ = false;

@@ -23,6 +23,8 @@ class PlacedWalker {
 
     /// Back to the start of the way: the first frame. `speed_limit` [m/s] is said to the walker after it.
     void start(float speed_mps, float speed_limit = k_own_limit);
+    /// The same from where the walker is now: for who takes over a walker on its way.
+    void take_up(float speed_limit = k_own_limit);
     /// `dt` > 0 seconds on.
     void advance(float dt, float speed_limit = k_own_limit) noexcept;
     /// Another way to place feet from the next step on; what was planned is forgotten.

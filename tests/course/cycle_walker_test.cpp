@@ -31,7 +31,7 @@ TEST(CycleWalker, changes_the_cycle_at_the_same_place_and_the_same_share) {
     const RootFrame before = root_of(walker);
     const double share = walker.share();
     EXPECT_GT(std::fabs(before.yaw), 0.1f);
-    walker.change(generated_clip("jog"));
+    walker.change(generated_clip("jog"), generated_legs());
     const RootFrame after = root_of(walker);
     EXPECT_NEAR(walker.share(), share, 1e-6);
     EXPECT_NEAR(length(after.position - before.position), 0, 1e-4f);
@@ -47,7 +47,7 @@ TEST(CycleWalker, begins_again_where_it_began) {
     walker.start(0);
     const RootFrame start = root_of(walker);
     for (int f = 0; f < 90; ++f) walker.advance(k_dt);
-    walker.change(generated_clip("walk_right"));
+    walker.change(generated_clip("walk_right"), generated_legs());
     walker.start(0);
     EXPECT_EQ(root_of(walker), start);
     EXPECT_EQ(walker.share(), 0);
@@ -58,7 +58,7 @@ TEST(CycleWalker, refuses_what_is_no_cycle_and_goes_on) {
     walker.start(0);
     walker.advance(k_dt);
     const RootFrame before = root_of(walker);
-    EXPECT_THROW(walker.change(cut(generated_clip("walk"), 3, 3)), Error);
+    EXPECT_THROW(walker.change(cut(generated_clip("walk"), 3, 3), generated_legs()), Error);
     EXPECT_EQ(root_of(walker), before);
 }
 

@@ -184,7 +184,6 @@ await test('a project that is mended gives the same files and the same pack as n
   assert.equal(surefoot.benchOpen(files, false).unsaved, true);
   assert.deepEqual(surefoot.benchFiles(false).files.map(([name]) => name).sort(), files.map(([name]) => name).sort());
   const told = surefoot.openPack(pack);
-  assert.equal(told.clips, told.clipNames.length);
   surefoot.advance(10);
   assert.throws(() => surefoot.openPack(pack.subarray(0, 1000)), /pack/);
   surefoot.advance(10);
@@ -221,8 +220,8 @@ await test('a gait that is shaped while it goes has the same bits as natively, f
   const facts = surefoot.gaitRead(surefoot.gaitSource('bhatti2017'));
   const values = (changes) => facts.parameters.map((each) => changes[each.name] ?? each.initial);
   let at = 0;
-  for (const [changes, speed, turn] of [[{}, 0, 0], [{ df: 0.2 }, 0, 0], [{ df: 0.2, Shgt: 0.6 }, 1.1, 20]]) {
-    surefoot.gaitPlay(values(changes), speed, turn);
+  const play = (values, speed, turn, slope) => {
+    surefoot.gaitPlay(values, speed, turn, slope);
     for (let f = 0; f < 100; ++f) {
       surefoot.advance(1);
       const frame = surefoot.array('frame');
@@ -230,17 +229,28 @@ await test('a gait that is shaped while it goes has the same bits as natively, f
       assert.ok(bytes.equals(native.subarray(at, at + bytes.length)), `the frame at byte ${at}`);
       at += bytes.length;
     }
-  }
+  };
+  play(values({}), 0, 0, 0);
+  play(values({ df: 0.2 }), 0, 0, 0);
+  play(values({ df: 0.2, Shgt: 0.6 }), 1.1, 20, 0);
+  surefoot.gaitFitted('jog');
+  const stiff = surefoot.gaitPersonality('{"stiff": {"spine": {"lean_deg": 12}}}');
+  play(surefoot.gaitPersonality('{"own": {}}'), 2.3, 0, 0);
+  play(stiff, 1.2, -30, 0);
+  play(stiff, 1.2, 0, 9);
+  surefoot.gaitRig('child', surefoot.rigs().find(({ name }) => name === 'child').parameters.map((each) => each.initial));
+  play(stiff, 1.2, 0, 9);
   assert.equal(at, native.length);
+  surefoot.gaitStop();
 });
 
 await test('gaits have all that surefoot.d.mts declares, can be saved, and a bad text changes nothing', () => {
   surefoot.openDefault();
-  assert.throws(() => surefoot.gaitPlay([], 0, 0), /no gait yet/);
-  for (const { name } of surefoot.gaits()) surefoot.gaitRead(surefoot.gaitSource(name));
+  assert.throws(() => surefoot.gaitPlay([], 0, 0, 0), /no gait yet/);
+  for (const { name, fitted } of surefoot.gaits()) if (!fitted) surefoot.gaitRead(surefoot.gaitSource(name));
   const facts = surefoot.gaitRead(surefoot.gaitSource('bhatti2017'));
   const initial = facts.parameters.map((each) => each.initial);
-  surefoot.gaitPlay(initial, 0, 0);
+  surefoot.gaitPlay(initial, 0, 0, 0);
   const played = surefoot.gaitPlayed(), curves = surefoot.array('gaitCurves').slice();
   const points = curves.length / played.curves.length;
   assert.ok(Number.isInteger(points) && points > 50);
@@ -251,9 +261,9 @@ await test('gaits have all that surefoot.d.mts declares, can be saved, and a bad
   for (const [name, value] of Object.entries(names)) assert.deepEqual(Object.keys(value).sort(), keys(name), name);
   assert.throws(() => surefoot.gaitRead('gait x\nparameter a = 1 +'), /:2:\d+[^]*\^/);
   assert.throws(() => surefoot.gaitSource('moonwalk'), /no such gait/);
-  surefoot.gaitPlay(initial.map((value, i) => (facts.parameters[i].name === 'df' ? 0.3 : value)), 0, 0);
+  surefoot.gaitPlay(initial.map((value, i) => (facts.parameters[i].name === 'df' ? 0.3 : value)), 0, 0, 0);
   assert.notDeepEqual(surefoot.array('gaitCurves').slice(), curves);
-  surefoot.gaitPlay(initial, 0, 0);
+  surefoot.gaitPlay(initial, 0, 0, 0);
   assert.deepEqual(surefoot.gaitPlayed(), played);
   assert.deepEqual(surefoot.array('gaitCurves').slice(), curves);
   const saved = surefoot.analyzeBvh(new TextDecoder().decode(surefoot.gaitFile('bvh')));
@@ -270,6 +280,57 @@ await test('gaits have all that surefoot.d.mts declares, can be saved, and a bad
   surefoot.patrol(1);
   surefoot.advance(120);
   assert.deepEqual(surefoot.array('frame').slice(), after);
+});
+
+await test('fitted gaits go as fast, and turn, as they are asked to, on every body, uphill too', () => {
+  surefoot.openDefault();
+  const own = surefoot.array('frame').length;
+  const walk = surefoot.gaitFitted('walk'), rigs = surefoot.rigs();
+  for (const [name, value] of Object.entries({ GaitFacts: walk, GaitRange: walk.speed, RigFacts: rigs[0] }))
+    assert.deepEqual(Object.keys(value).sort(), keys(name), name);
+  const initial = walk.parameters.map((each) => each.initial);
+  assert.deepEqual(surefoot.gaitPersonality('{"nobody": {}}'), initial);
+  assert.deepEqual(walk.presets.find(({ name }) => name === 'neutral').values, initial);
+  for (const { name, parameters } of rigs) {
+    const { gait, character } = surefoot.gaitRig(name, parameters.map((each) => each.initial));
+    assert.ok(character.name === name && character.clipNames.length === 0);
+    for (const [speed, turn] of [[1.2, 0], [1.6, -40], [gait.speed.high, 0]]) {
+      surefoot.gaitPlay(initial, speed, turn, 0);
+      const played = surefoot.gaitPlayed();
+      assert.ok(Math.abs(played.speed - speed) < 0.02 * speed, `${name}: ${played.speed} for ${speed} m/s`);
+      assert.ok(Math.abs(played.turn - turn) < 1, `${name}: ${played.turn} for ${turn} deg/s`);
+    }
+  }
+  // A finger more, and the frame has other joints; its own body again, and all is as it was.
+  const child = rigs.find(({ name }) => name === 'child');
+  const values = (changes) => child.parameters.map((each) => changes[each.name] ?? each.initial);
+  const small = surefoot.gaitRig('child', values({ stature: 0.9 })).character.hipHeight;
+  const { character } = surefoot.gaitRig('child', values({ stature: 1.3, fingers: 1, spine: 5 }));
+  assert.ok(character.hipHeight > 1.3 * small && character.joints.length > 50);
+  assert.ok(surefoot.array('frame').length > own);
+  // The ground goes up under it, and its soles are on it.
+  surefoot.gaitPlay(initial, 1.2, 0, 12);
+  const { layout } = character;
+  const start = surefoot.array('frame').slice();
+  surefoot.advance(240);
+  const frame = surefoot.array('frame').slice();
+  const gone = [0, 1, 2].map((k) => frame[layout.root + k] - start[layout.root + k]);
+  assert.ok(gone[2] > 3 && Math.abs(gone[1] / gone[2] - Math.tan((12 * Math.PI) / 180)) < 1e-3, `${gone}`);
+  let least = 1, most = -1;
+  for (let f = 0; f < 60; ++f) {
+    surefoot.advance(1);
+    const low = Math.min(...[0, 1].map((side) => surefoot.array('frame')[layout.feet + side * layout.footFloats + layout.foot.clearance]));
+    least = Math.min(least, low);
+    most = Math.max(most, low);
+  }
+  assert.ok(least > -0.03 && most < 0.04, `the lower sole is ${least} to ${most} m over the slope`);
+  assert.throws(() => surefoot.gaitRig('child', values({}).slice(1)), /one value a parameter/);
+  assert.throws(() => surefoot.gaitRig('ogre', []), /no template/);
+  assert.throws(() => surefoot.gaitFitted('moonwalk'), /no fitted gait/);
+  assert.throws(() => surefoot.gaitPersonality('{"x": {"spine": {"lean": 1}}}'), /no slider 'spine.lean'/);
+  assert.equal(surefoot.gaitStop().clipNames.length, 19);
+  assert.equal(surefoot.gaitStop(), null);
+  assert.equal(surefoot.array('frame').length, own);
 });
 
 const graphFile = fileURLToPath(new URL('../../apps/studio/src/graphs/stroll.json', import.meta.url));
@@ -349,9 +410,10 @@ await test('graphs have all that surefoot.d.mts declares, go on where they were 
 await test('a crowd has the same bits as natively, frame by frame, also where poses last', () => {
   const native = execFileSync(twinFile, ['crowd'], { maxBuffer: 1 << 28 });
   surefoot.openDefault();
-  surefoot.crowd(203);
   let at = 0;
-  for (let f = 0; f < 90; ++f) {
+  for (let all = 0; all < 180; ++all) {
+    const f = all % 90;
+    if (f === 0) surefoot.crowd(203, all === 0 ? 'flat' : 'hills');
     const posed = surefoot.crowdAdvance(1 / 60, 20, 5, f >= 30);
     assert.ok(f >= 30 ? posed < 203 && posed > 20 : posed === 203, `${posed} posed`);
     for (const name of ['crowdRoots', 'crowdMatrices']) {
@@ -364,8 +426,47 @@ await test('a crowd has the same bits as natively, frame by frame, also where po
   assert.equal(at, native.length);
 });
 
+await test('crowds go on uneven ground with their feet on it, and without feet their roots alone follow it', () => {
+  surefoot.openDefault();
+  const { joints } = surefoot.crowd(60, 'hills');
+  const heightAt = (() => {
+    // From the mesh that is shown: quads of 4 m, the rows after one another.
+    const corners = surefoot.array('crowdTerrain').slice();
+    return (x, z) => {
+      let best = Infinity, height = 0;
+      for (let i = 0; i < corners.length; i += 3) {
+        const off = (corners[i] - x) ** 2 + (corners[i + 2] - z) ** 2;
+        if (off < best) [best, height] = [off, corners[i + 1]];
+      }
+      return height;
+    };
+  })();
+  const play = (frames, feet) => {
+    for (let f = 0; f < frames; ++f) surefoot.crowdAdvance(1 / 60, 0, 0, false, feet);
+    return { roots: surefoot.array('crowdRoots').slice(), matrices: surefoot.array('crowdMatrices').slice() };
+  };
+  const laid = play(120, true);
+  // Near a corner of the ground a root is near that corner's height.
+  for (let c = 0; c < 60; ++c) {
+    const [x, y, z] = laid.roots.subarray(4 * c, 4 * c + 3);
+    if (Math.hypot(x - 4 * Math.round(x / 4), z - 4 * Math.round(z / 4)) < 0.3) assert.ok(Math.abs(y - heightAt(x, z)) < 0.35, `${y} at ${x}, ${z}`);
+  }
+  assert.ok(Math.max(...laid.roots.filter((_, i) => i % 4 === 1)) > 0.15);
+  // Gone the same way without feet: only the legs are others.
+  surefoot.crowd(60, 'hills');
+  const without = play(120, false);
+  let apart = 0;
+  for (let i = 0; i < 12 * joints * 60; ++i) apart = Math.max(apart, Math.abs(without.matrices[i] - laid.matrices[i]));
+  assert.ok(apart > 0.1, `${apart}`);
+  assert.deepEqual(without.roots.filter((_, i) => i % 4 !== 1), laid.roots.filter((_, i) => i % 4 !== 1));
+  assert.throws(() => surefoot.crowd(5, 'lava'), /no such ground/);
+  assert.equal(surefoot.crowdAdvance(1 / 60, 0, 0, false), 60, 'it is as it was');
+  surefoot.crowd(5, 'kerbs');
+  assert.equal(Math.max(...surefoot.array('crowdTerrain').filter((_, i) => i % 3 === 1)), Math.fround(0.12));
+});
+
 await test('crowds of one to ten thousand go round without meeting, in meshes of falling cost', () => {
-  assert.equal(surefoot.crowdAdvance(1 / 60, 0, 0, false), 203);
+  assert.ok(surefoot.crowdAdvance(1 / 60, 0, 0, false) > 0);
   surefoot.openDefault();
   assert.equal(surefoot.crowdAdvance(1 / 60, 0, 0, false), 0, 'another character has no crowd yet');
   assert.equal(surefoot.crowd(0).count, 1);

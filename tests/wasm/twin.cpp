@@ -67,31 +67,46 @@ void write_files() {
 /// The frames of a gait as bytes, as tests/studio and smoke_test.mjs play it: at first as it is, then shaped.
 void write_gait() {
     surefoot::wasm::Stage stage(surefoot::wasm::default_character());
-    surefoot::wasm::GaitDesk desk(stage.character());
+    surefoot::wasm::GaitDesk desk(surefoot::wasm::body_of(stage.character()));
     desk.read(surefoot::bundled_gait("bhatti2017"));
-    stage.play(desk.motion());
     const surefoot::Gait gait = surefoot::read_gait(surefoot::bundled_gait("bhatti2017"), "bhatti2017");
-    const auto play = [&](const std::vector<std::string>& set, double speed, double turn) {
-        desk.play(surefoot::gait_values(gait, "", set), speed, turn);
-        stage.play(desk.motion());
+    const auto play = [&](const std::vector<double>& values, double speed, double turn, double slope) {
+        desk.play(values, {speed, turn, slope});
+        stage.play(desk.motion(), desk.body(), desk.rise());
         for (int f = 0; f < 100; ++f) {
             stage.advance(1);
             std::fwrite(stage.frame().data(), 1, stage.frame().size_bytes(), stdout);
         }
     };
-    play({}, 0, 0);
-    play({"df=0.2"}, 0, 0);
-    play({"df=0.2", "Shgt=0.6"}, 1.1, 20);
+    const auto shaped = [&](const std::vector<std::string>& set) { return surefoot::gait_values(gait, "", set); };
+    play(shaped({}), 0, 0, 0);
+    play(shaped({"df=0.2"}), 0, 0, 0);
+    play(shaped({"df=0.2", "Shgt=0.6"}), 1.1, 20, 0);
+    // Fitted to motion: as it is, with a personality, uphill, and on the body of a child.
+    desk.read_fitted("jog");
+    const std::vector<double> own = surefoot::wasm::personality_values(R"({"own": {}})");
+    const std::vector<double> stiff = surefoot::wasm::personality_values(R"({"stiff": {"spine": {"lean_deg": 12}}})");
+    play(own, 2.3, 0, 0);
+    play(stiff, 1.2, -30, 0);
+    play(stiff, 1.2, 0, 9);
+    std::vector<double> child;
+    for (const surefoot::GaitParameter& each :
+         surefoot::read_rig_template(surefoot::bundled_rig("child"), "child").parameters)
+        child.push_back(each.value);
+    desk.put_on(surefoot::wasm::rigged_body("child", child));
+    play(stiff, 1.2, 0, 9);
 }
 
 /// The frames of a crowd as bytes, as tests/studio and smoke_test.mjs play it: roots, then matrices.
 void write_crowd() {
     const surefoot::Character character = surefoot::wasm::default_character();
-    surefoot::wasm::CrowdStage crowd(character, 203);
-    for (int frame = 0; frame < 90; ++frame) {
-        crowd.advance(1.0f / 60, 20, 5, frame >= 30);
-        std::fwrite(crowd.roots().data(), 1, crowd.roots().size_bytes(), stdout);
-        std::fwrite(crowd.matrices().data(), 1, crowd.matrices().size_bytes(), stdout);
+    for (const char* ground : {"flat", "hills"}) {
+        surefoot::wasm::CrowdStage crowd(character, 203, ground);
+        for (int frame = 0; frame < 90; ++frame) {
+            crowd.advance(1.0f / 60, 20, 5, frame >= 30, true);
+            std::fwrite(crowd.roots().data(), 1, crowd.roots().size_bytes(), stdout);
+            std::fwrite(crowd.matrices().data(), 1, crowd.matrices().size_bytes(), stdout);
+        }
     }
 }
 

@@ -1,14 +1,14 @@
 // The crowd of the character: how many there are, their clock, and what they cost.
 import { batch, signal } from '@preact/signals';
-import type { CrowdFacts, CrowdFrame, CrowdMesh } from './engine/messages';
+import type { CrowdFacts, CrowdFrame, CrowdMesh, TerrainMesh } from './engine/messages';
 import { engine, fail, frameCount, playing, type Show } from './session';
-import { crowdCount, lastingPoses, slowness } from './settings';
+import { crowdCount, crowdFeet, crowdGround, lastingPoses, slowness } from './settings';
 
 const k_longest_s = 0.1; // of a frame: a page that was asleep does not catch up
 const k_frame_s = 1 / 60;
 export const k_cost_history_s = 6;
 
-export const crowd = signal<{ facts: CrowdFacts; mesh: CrowdMesh } | null>(null);
+export const crowd = signal<{ facts: CrowdFacts; mesh: CrowdMesh; ground: TerrainMesh } | null>(null);
 export let texels = new Float32Array(0);
 /** [s] since the start */
 let clock = 0;
@@ -17,22 +17,24 @@ let clock = 0;
 export const costs = { time: [] as number[], animation: [] as number[], rendering: [] as (number | null)[] };
 export const posed = signal(0);
 
-let made = 0, making = false;
-/** As many as were asked for. The last wish wins: while one is on its way, others may have come. */
+let made = '', making = false;
+const wish = () => `${crowdCount.value} on ${crowdGround.value}`;
+/** As many as were asked for, where they were. The last wish wins: while one is on its way, others may have come. */
 export async function makeCrowd(anew = true): Promise<void> {
-  if (anew) made = 0;
+  if (anew) made = '';
   if (making) return;
   making = true;
   try {
-    while (made !== crowdCount.value) {
-      made = crowdCount.value; // before it is there: whoever wants it anew meanwhile is heard
-      const next = await engine.call('crowd', made);
+    while (made !== wish()) {
+      made = wish(); // before it is there: whoever wants it anew meanwhile is heard
+      const next = await engine.call('crowd', crowdCount.value, crowdGround.value);
       clock = 0;
       texels = new Float32Array(0);
       batch(() => (crowd.value = next));
       await stepCrowd(0);
     }
   } catch (error) {
+    crowdGround.value = 'flat'; // what was kept may be of another version
     fail('There is no crowd', error);
   }
   making = false;
@@ -60,14 +62,14 @@ function take(frame: CrowdFrame, seconds: number, renderingMs: number | null): v
 /** So many seconds on, whether it plays or not. */
 async function stepCrowd(seconds: number): Promise<void> {
   while (engine.crowdBusy) await new Promise((resolve) => setTimeout(resolve, 1));
-  take(await engine.advanceCrowd(seconds, eye, lastingPoses.value), seconds, null);
+  take(await engine.advanceCrowd(seconds, eye, lastingPoses.value, crowdFeet.value), seconds, null);
 }
 
 /** Called once a picture, `seconds` after the last; `renderingMs` is what drawing cost when it was last measured. */
 export function tickCrowd(seconds: number, renderingMs: number): void {
   if (!crowd.value || !playing.value || engine.crowdBusy || making) return;
   const dt = Math.min(seconds, k_longest_s) / slowness.value;
-  void engine.advanceCrowd(dt, eye, lastingPoses.value).then((frame) => take(frame, dt, renderingMs));
+  void engine.advanceCrowd(dt, eye, lastingPoses.value, crowdFeet.value).then((frame) => take(frame, dt, renderingMs));
 }
 
 export const crowdShow: Show = {

@@ -1,9 +1,10 @@
 // The graph that the character plays: its text, which is all that is kept, what the engine makes of it, and what happens.
-import { batch, effect, signal } from '@preact/signals';
-import type { GraphFacts, GraphLive } from './engine/messages';
+import { batch, computed, effect, signal } from '@preact/signals';
+import type { GraphFacts, GraphLive, GraphMachine, GraphTransition } from './engine/messages';
 import k_first_graph from './graphs/stroll.json?raw';
-import { engine, fail, frameCount, ownShow, showNewGround, showsGraph, type Show } from './session';
-import { graphText } from './settings';
+import { escaped, freeName, hasChanged, inLine, readFromFolder, valueAt, whole, writeToFolder, type Json } from './graph_file';
+import { engine, fail, frameCount, ownShow, problem, say, showNewGround, showsGraph, type Show } from './session';
+import { graphFile, graphText } from './settings';
 import { Undo } from './undo';
 
 const k_look_ms = 80;
@@ -19,7 +20,12 @@ export const complaint = signal('');
 /** The machine that is looked at: an index. */
 export const shownMachine = signal(0);
 export const shownTransition = signal(0);
-const undo = new Undo<string>();
+interface Work {
+  text: string;
+  file: typeof graphFile.value;
+}
+const undo = new Undo<Work>();
+const now = (): Work => ({ text: graphText.value ?? k_first_graph, file: graphFile.value });
 export const canUndo = undo.canUndo, canRedo = undo.canRedo;
 export const part = () => undo.part();
 
@@ -59,31 +65,87 @@ function then(change: () => Promise<void>): Promise<void> {
   return chain;
 }
 
-/** Another value in the file, and nothing else of it. What the graph cannot be with it is not taken. */
-export const edit = (pointer: string, value: unknown, label = pointer) =>
+/** Why it cannot be edited; empty: it can. */
+export const fixed = computed(() =>
+  graphFile.value.extended === null ? '' : `It extends ${graphFile.value.extended}: what it is in the end is shown here, and edited in these two files.`);
+
+/** A place in the file that gets a value, or, without one, goes. */
+export interface Edit {
+  at: string;
+  value?: Json;
+}
+
+/** Other values in the file, and nothing else of it. What the graph cannot be with them is not taken. */
+export const editAll = (edits: readonly Edit[], label: string) =>
   then(async () => {
-    const before = graphText.value ?? k_first_graph;
-    await take(await engine.call('jsonEdit', before, pointer, JSON.stringify(value)));
+    if (fixed.value) throw new Error(fixed.value);
+    const before = now();
+    let { text } = before;
+    for (const { at, value } of edits)
+      text = await (value === undefined ? engine.call('jsonRemove', text, at) : engine.call('jsonEdit', text, at, inLine(value)));
+    await take(text);
     await tell();
     undo.keep(before, label);
   });
+export const edit = (pointer: string, value: Json, label = pointer) => editAll([{ at: pointer, value }], label);
 
-function go(step: (now: string) => string | undefined): Promise<void> {
+/** What the file has at a place. */
+export const written = (pointer: string) => valueAt(graphText.value ?? k_first_graph, pointer);
+const keysAt = (pointer: string) => Object.keys((written(pointer) as Record<string, Json> | undefined) ?? {});
+
+/** A state that plays a node of the file, or a clip. */
+export async function addState(machine: GraphMachine, plays: { node: string } | { clip: string }): Promise<void> {
+  const wanted = 'node' in plays ? plays.node : plays.clip;
+  const name = freeName(wanted, machine.states.map((each) => each.name));
+  const value: Json = 'node' in plays ? plays.node : { type: 'clip', clip: plays.clip };
+  undo.part();
+  await editAll([{ at: `${machine.path}/states/${escaped(name)}`, value }], 'state');
+}
+
+/** With all transitions from it and to it. */
+export async function removeState(machine: GraphMachine, state: number): Promise<void> {
+  const { name } = machine.states[state]!;
+  const edits: Edit[] = machine.transitions.filter(({ from, to }) => from === state || to === state).map(({ pointer }) => ({ at: pointer }));
+  if (written(`${machine.path}/initial`) === name) edits.push({ at: `${machine.path}/initial`, value: machine.states.find((each) => each.name !== name)!.name });
+  undo.part();
+  await editAll([...edits, { at: `${machine.path}/states/${escaped(name)}` }], 'state');
+}
+
+/** After a second, until somebody says when. */
+export async function addTransition(machine: GraphMachine, from: string, to: string): Promise<void> {
+  const there = keysAt(`${machine.path}/transitions`), name = freeName(`${from}_to_${to}`, there);
+  const value = { from, to, seconds: 0.3, when: [{ elapsed_s: 1 }] };
+  const all = `${machine.path}/transitions`;
+  undo.part();
+  await editAll([written(all) === undefined ? { at: all, value: { [name]: value } } : { at: `${all}/${escaped(name)}`, value }], 'transition');
+  const made = graph.value?.machines[shownMachine.value]?.transitions.findIndex((each) => each.name === name) ?? -1;
+  if (made >= 0) shownTransition.value = made;
+}
+
+export async function removeTransition({ pointer }: GraphTransition): Promise<void> {
+  undo.part();
+  await editAll([{ at: pointer }], 'transition');
+}
+
+function go(step: (from: Work) => Work | undefined): Promise<void> {
   return then(async () => {
-    const text = step(graphText.value ?? k_first_graph);
-    if (text === undefined) return;
-    await take(text);
+    const to = step(now());
+    if (to === undefined) return;
+    await take(to.text);
+    graphFile.value = to.file;
     await tell();
   });
 }
-export const stepBack = () => go((now) => undo.undo(now));
-export const stepAhead = () => go((now) => undo.redo(now));
+export const stepBack = () => go((from) => undo.undo(from));
+export const stepAhead = () => go((from) => undo.redo(from));
 
-/** Another graph altogether. */
-export const openGraph = (text: string) =>
+/** Another graph altogether. `others`: files that it may extend, by name. */
+export const openGraph = (given: string, name: string | null = null, others: ReadonlyMap<string, string> = new Map()) =>
   then(async () => {
-    const before = graphText.value ?? k_first_graph;
+    const before = now();
+    const { text, extended } = await whole(given, others);
     await take(text);
+    graphFile.value = { name, extended };
     undo.part();
     undo.keep(before, 'open');
     asked.value = {};
@@ -92,6 +154,45 @@ export const openGraph = (text: string) =>
     await showNewGround();
   });
 export const openFirstGraph = () => openGraph(k_first_graph);
+
+export const openFromFolder = async (name: string) => {
+  try {
+    await openGraph(await readFromFolder(name), name);
+  } catch (error) {
+    fail(`${name} cannot be opened`, error);
+  }
+};
+
+/** Into the served folder; asks first where another program has written the file. */
+export async function saveInFolder(): Promise<void> {
+  const name = graphFile.value.name ?? `${graph.value!.name}.json`;
+  const put = async () => {
+    problem.value = null;
+    try {
+      await writeToFolder(name, graphText.value ?? k_first_graph);
+      graphFile.value = { ...graphFile.value, name };
+      say(`Saved as ${name}.`);
+    } catch (error) {
+      fail(`${name} could not be saved`, error);
+    }
+  };
+  try {
+    if (!(await hasChanged(name))) return await put();
+  } catch (error) {
+    fail('The folder cannot be reached', error);
+    return;
+  }
+  problem.value = {
+    title: `${name} has changed on disk`,
+    question: true,
+    text: 'It was written since it was opened here, or it is another graph of that name. Saving puts what you see in its place.',
+    actions: [
+      { label: 'Save all the same', run: () => void put() },
+      { label: 'Open what is on disk', run: () => { problem.value = null; void openFromFolder(name); } },
+      { label: 'Neither', run: () => (problem.value = null) },
+    ],
+  };
+}
 
 export function setParameter(index: number, value: number): void {
   const parameter = graph.value?.parameters[index];

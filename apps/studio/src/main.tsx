@@ -15,7 +15,8 @@ import { Timeline } from './ui/timeline';
 import { Viewport } from './ui/viewport';
 import { WorkCard } from './ui/work';
 import { CrowdPanel, CrowdViewport } from './workspaces/crowd';
-import { GaitDesk, gaitKeys, GaitPanel, loadGait } from './workspaces/gait';
+import * as gait from './gait';
+import { GaitDesk, GaitPanel } from './workspaces/gait';
 import { GraphDesk, GraphPanel } from './workspaces/graph';
 import { spaceKeys, SpacePanel } from './workspaces/space';
 import { SpaceMap } from './workspaces/space_map';
@@ -113,7 +114,7 @@ function Studio() {
             </button>
           ))}
         </div>
-        <p class="character">{known ? `${known.name}, ${known.clips} clips` : 'Starting the engine…'}</p>
+        <p class="character">{!known ? 'Starting the engine…' : known.clipNames.length > 0 ? `${known.name}, ${known.clipNames.length} clips` : known.name}</p>
         <Chooser label="Open folder…" title="A project that `surefoot author` wrote, or a folder of clips; you can also drag it in" folder />
         <Chooser label="Open clips…" title=".bvh and .glb files to make a blend space of; you can also drag them in" accept=".bvh,.glb,.gltf,.json,.zip" />
         <button type="button" title={`Colours: ${k_theme_names[theme.value]}`} aria-label={`Colours: ${k_theme_names[theme.value]}`} onClick={() => (theme.value = k_next_theme[theme.value])}>
@@ -143,39 +144,37 @@ function Studio() {
 effect(() => {
   document.documentElement.dataset['theme'] = isDark.value ? 'dark' : 'light';
 });
-// The blend space is shown on flat ground, where the puck alone says how it goes.
+/** What a workspace begins with. */
+async function enter(where: Workspace): Promise<void> {
+  session.present(where === 'crowd' ? crowd.crowdShow : where === 'graph' ? graph.graphShow : null);
+  if (where !== 'space') session.hold(null);
+  if (where === 'crowd') return crowd.makeCrowd();
+  if (where === 'gait') return gait.loadGait();
+  await session.stopGuests();
+  if (where === 'graph') return graph.loadGraph();
+  if (where === 'space') {
+    // Shown on flat ground, where the puck alone says how it goes.
+    await session.showCourse('flat', gradeDeg.value);
+    void bench.openDefaultBench(); // which takes its time
+    return;
+  }
+  if (session.shownCourse() !== course.value) await session.showCourse(course.value, gradeDeg.value);
+}
+
+let entering = Promise.resolve();
 effect(() => {
-  const where = workspace.value, known = session.facts.value;
-  if (!known) return;
+  const where = workspace.value;
+  if (session.opened.value === 0) return;
+  // One after the other: what one leaves, the next one takes over. Who has gone on meanwhile is not kept waiting.
   untracked(() => {
-    session.present(where === 'crowd' ? crowd.crowdShow : where === 'graph' ? graph.graphShow : null);
-    if (where === 'crowd') {
-      void crowd.makeCrowd();
-      return;
-    }
-    if (where === 'graph') {
-      session.hold(null);
-      void graph.loadGraph();
-      return;
-    }
-    if (where === 'gait') {
-      session.hold(null);
-      void loadGait();
-      return;
-    }
-    void session.engine.call('gaitStop');
-    if (where === 'space') {
-      void session.showCourse('flat', gradeDeg.value);
-      void bench.openDefaultBench();
-    } else {
-      session.hold(null);
-      if (session.shownCourse() !== course.value) void session.showCourse(course.value, gradeDeg.value);
-    }
+    entering = entering
+      .then(() => (where === workspace.value ? enter(where) : undefined))
+      .catch((error: unknown) => session.fail('This workspace cannot be shown', error));
   });
 });
 listen();
 addEventListener('keydown', (event) => {
-  if (session.showsGait()) gaitKeys(event);
+  if (session.showsGait()) gait.gaitKeys(event);
   if (session.showsGraph()) graph.graphKeys(event);
   if (workspace.value === 'space') spaceKeys(event);
 });
@@ -196,7 +195,8 @@ Object.assign(globalThis, {
     session,
     engine: session.engine,
     bench,
-    crowd: () => ({ facts: crowd.crowd.value?.facts, posed: crowd.posed.value, costs: crowd.costs, texels: crowd.texels.length }),
+    gait,
+    crowd: () => ({ facts: crowd.crowd.value?.facts, posed: crowd.posed.value, costs: crowd.costs, texels: crowd.texels.length, heights: [...crowd.texels.subarray(0, 4 * (crowd.crowd.value?.facts.count ?? 0))].filter((_, i) => i % 4 === 1) }),
     graph: { ...graph, text: () => graphText.value ?? graph.k_first_graph },
   },
 });

@@ -193,6 +193,15 @@ export async function openDropped(items: DataTransferItemList): Promise<void> {
 
 /** Saves what is new into the served folder, project.json last. */
 async function saveInFolder(): Promise<void> {
+  saving = true;
+  try {
+    await writeFiles();
+  } finally {
+    saving = false;
+  }
+}
+
+async function writeFiles(): Promise<void> {
   const { files, gone } = await bench.ask('benchFiles', false);
   const order = [...files].sort(([a], [b]) => Number(a === 'project.json') - Number(b === 'project.json'));
   for (const [file, bytes] of order) await folder.write(file, bytes);
@@ -219,6 +228,28 @@ async function saveUnlessChanged(): Promise<void> {
     ],
   };
 }
+
+const k_look_every_ms = 3000;
+let told = ''; // of which change the user was asked
+let saving = false;
+
+/** Asks once a change where another program has written the project that is open here. */
+async function lookAtFolder(): Promise<void> {
+  if (document.hidden || !inFolder.value || known === '' || saving || problem.value || bench.busy.value) return;
+  const listing = await folder.list(), now = stampOf(listing);
+  if (now === '' || now === known || now === told || saving || problem.value) return;
+  told = now;
+  problem.value = {
+    title: 'The project has changed on disk',
+    question: true,
+    text: `Another program has written project.json.${bench.project.value?.unsaved ? ' What you have not saved here is dropped where you open it.' : ''}`,
+    actions: [
+      { label: 'Open what is on disk', run: () => settle(openServed(listing)) },
+      { label: 'Go on with this', run: () => (problem.value = null) },
+    ],
+  };
+}
+if (folder.isServed) setInterval(() => void lookAtFolder().catch(() => undefined), k_look_every_ms); // a server that has gone is told of when it is needed
 
 function settle(work: Promise<void>): void {
   problem.value = null;

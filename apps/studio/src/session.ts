@@ -1,7 +1,7 @@
 // The one character on the one stage, and the clock that makes it move.
 import { batch, signal } from '@preact/signals';
 import { EngineClient } from './engine/engine';
-import type { CharacterFacts, CharacterMesh, FigureValue, FootMode, Steering, TerrainMesh } from './engine/messages';
+import type { CharacterFacts, CharacterMesh, FigureValue, FootMode, Shown, Steering, TerrainMesh } from './engine/messages';
 import { course, gradeDeg, mode, patrolSpeed, slowness, workspace } from './settings';
 import { History } from './history';
 
@@ -60,7 +60,7 @@ export function say(text: string): void {
 /** While somebody else comes on the stage nobody moves: frames of the one do not fit the other. */
 let staging = 0;
 
-async function stage(opened: Promise<{ facts: CharacterFacts; mesh: CharacterMesh }>, on?: string): Promise<void> {
+async function stage(opened: Promise<Shown>, on?: string): Promise<void> {
   ++staging;
   try {
     await put(await opened, on);
@@ -69,7 +69,10 @@ async function stage(opened: Promise<{ facts: CharacterFacts; mesh: CharacterMes
   }
 }
 
-async function put(character: { facts: CharacterFacts; mesh: CharacterMesh }, on?: string): Promise<void> {
+/** Changes with every character that is opened. */
+export const opened = signal(0);
+
+async function put(character: Shown, on?: string): Promise<void> {
   if (!character.facts.courses.includes(course.value)) course.value = 'hills';
   await engine.call('setMode', mode.value);
   const name = on && character.facts.courses.includes(on) ? on : course.value;
@@ -80,10 +83,33 @@ async function put(character: { facts: CharacterFacts; mesh: CharacterMesh }, on
     mesh.value = character.mesh;
     terrain.value = ground;
     figures.value = null;
+    opened.value++;
   });
   history.clear();
   await ownShow.step(0, 1);
 }
+
+/** Does what may change whose body is seen, while nobody moves. */
+export async function changeBody<Result>(change: () => Promise<Result>, shownBy: (result: Result) => Shown | null): Promise<Result> {
+  ++staging;
+  try {
+    await untilFree();
+    const result = await change(), next = shownBy(result);
+    if (!next) return result;
+    const arrived = await engine.advance(0, 1, asked);
+    batch(() => {
+      facts.value = next.facts;
+      mesh.value = next.mesh;
+      take(arrived);
+    });
+    return result;
+  } finally {
+    --staging;
+  }
+}
+
+/** It goes by its own clips again, on its own body. */
+export const stopGuests = () => changeBody(() => engine.call('gaitStop'), (shown) => shown);
 
 export const openDefault = () => stage(engine.call('openDefault'));
 /** Who is to be on the stage from now on, on the course that is shown. */
@@ -138,6 +164,11 @@ export function setMode(wanted: FootMode): void {
   void engine.call('setMode', wanted);
 }
 
+/** Until no frame is on its way. */
+async function untilFree(): Promise<void> {
+  while (engine.busy) await new Promise((resolve) => setTimeout(resolve, 1));
+}
+
 /** What the timeline's buttons work on. */
 export interface Show {
   restart: () => Promise<void>;
@@ -155,7 +186,7 @@ export const ownShow: Show = {
     await ownShow.step(0, 1);
   },
   async step(frames, parts) {
-    while (engine.busy) await new Promise((resolve) => setTimeout(resolve, 1));
+    await untilFree();
     take(await engine.advance(frames, parts, asked));
   },
   seconds: () => (facts.value ? (frame[facts.value.layout.time] ?? 0) : 0),

@@ -58,26 +58,45 @@ export const k_most_crowd = 10000;
 export const crowdCount = kept<number>('crowd', 500, (value) => isNumberIn(1, k_most_crowd)(value) && Number.isInteger(value));
 /** Poses of who is far away last for several frames. */
 export const lastingPoses = kept('crowd.lasting', false, isFlag);
+export const crowdGround = kept<string>('crowd.ground', 'hills', (value) => typeof value === 'string');
+/** Feet are laid on the ground. */
+export const crowdFeet = kept('crowd.feet', true, isFlag);
 export const crowdView = kept<'above' | 'among'>('crowd.view', 'above', isOneOf('above', 'among'));
 
 /** What was made of a gait: kept, so that it survives a reload. */
 export interface GaitWork {
-  /** Of the bundled gait that it began as. */
+  /** Of the bundled gait that it is, or began as. */
   name: string;
-  text: string;
+  /** Of expressions; null: it was fitted to motion and has no text. */
+  text: string | null;
   /** Of its parameters that are not at their defaults. */
   values: Record<string, number>;
-  /** [m/s], [deg/s] asked for; 0: its own */
-  speed: number;
-  turn: number;
+  /** [m/s], [deg/s] asked for; null: its own */
+  speed: number | null;
+  turn: number | null;
+  /** [deg] uphill */
+  slope: number;
+  /** On whose body: that of a template, with parameters that are not at their defaults; null: the character's. */
+  rig: { name: string; values: Record<string, number> } | null;
 }
+const isNumbers = (value: unknown) =>
+  typeof value === 'object' && value !== null && Object.values(value).every(Number.isFinite);
+const isAsked = (value: unknown) => value === null || Number.isFinite(value);
 const isGaitWork = (value: unknown) => {
   const work = value as GaitWork | null;
-  return work === null || (typeof work === 'object' && typeof work.name === 'string' && typeof work.text === 'string' &&
-    typeof work.values === 'object' && work.values !== null && Object.values(work.values).every(Number.isFinite) &&
-    Number.isFinite(work.speed) && Number.isFinite(work.turn));
+  return work === null || (typeof work === 'object' && typeof work.name === 'string' &&
+    (work.text === null || typeof work.text === 'string') && isNumbers(work.values) &&
+    isAsked(work.speed) && isAsked(work.turn) && Number.isFinite(work.slope) &&
+    (work.rig === null || (typeof work.rig === 'object' && typeof work.rig.name === 'string' && isNumbers(work.rig.values))));
 };
 export const gaitWork = kept<GaitWork | null>('gait', null, isGaitWork);
+
+/** Its file in the served folder, if there is one, and what that extends. */
+export const graphFile = kept<{ name: string | null; extended: string | null }>('graph.file', { name: null, extended: null }, (value) => {
+  const file = value as { name?: unknown; extended?: unknown } | null;
+  const isName = (each: unknown) => each === null || typeof each === 'string';
+  return typeof file === 'object' && file !== null && isName(file.name) && isName(file.extended);
+});
 
 /** The graph that was worked on, as text; null: the first one. */
 export const graphText = kept<string | null>('graph', null, (value) => value === null || typeof value === 'string');

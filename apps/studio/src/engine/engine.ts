@@ -71,8 +71,8 @@ export class EngineClient {
   }
 
   /** One frame of the crowd, seen from x, z [m]. It is valid until the next one has come. */
-  advanceCrowd(seconds: number, eye: [number, number], lasting: boolean): Promise<CrowdFrame> {
-    return this.#crowds.ask((buffer) => this.#post({ kind: 'crowd', seconds, eye, lasting, buffer }, [buffer]));
+  advanceCrowd(seconds: number, eye: [number, number], lasting: boolean, feet = true): Promise<CrowdFrame> {
+    return this.#crowds.ask((buffer) => this.#post({ kind: 'crowd', seconds, eye, lasting, feet, buffer }, [buffer]));
   }
 
   /** Whatever it is at: what was asked of it fails. */

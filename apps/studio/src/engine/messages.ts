@@ -1,9 +1,9 @@
 // What the page and the engine's worker say to each other.
-import type { CharacterFacts, CrowdFacts, Surefoot } from '@bindings/surefoot.mjs';
+import type { CharacterFacts, CrowdFacts, GaitFacts, Surefoot } from '@bindings/surefoot.mjs';
 
 export type {
   BenchFacts, CharacterFacts, CrowdFacts, Figure, FigureValue, Finding, FixAttempt, FootMode, FrameLayout, GaitFacts, GaitParameter,
-  GaitPlayed, GraphFacts, GraphLive, GraphMachine, GraphParameter, GraphTransition, Heat, SpaceFacts,
+  GaitPlayed, GraphFacts, GraphLive, GraphMachine, GraphParameter, GraphTransition, Heat, RigFacts, SpaceFacts,
 } from '@bindings/surefoot.mjs';
 
 /** Who steers: a patrol up and down the course, somebody (m/s and deg/s, to the left positive), or a place of a space. */
@@ -37,25 +37,35 @@ export interface TerrainMesh {
   triangles: Uint32Array;
 }
 
+/** Who is seen. */
+export interface Shown {
+  facts: CharacterFacts;
+  mesh: CharacterMesh;
+}
+
 /** What the module answers is passed on as it is. */
 type Forwarded =
   | 'setMode' | 'restart' | 'metrics' | 'scenarios'
   | 'blend' | 'bench' | 'benchDefault' | 'benchOpen' | 'benchAuthor' | 'benchPack' | 'benchThreshold' | 'benchResetThresholds'
   | 'benchFix' | 'benchTakeBack' | 'benchLeaveOut' | 'benchUndo' | 'benchRedo' | 'benchProbe' | 'benchHeat' | 'benchFiles'
   | 'benchSaved'
-  | 'gaits' | 'gaitSource' | 'gaitRead' | 'gaitPlayed' | 'gaitStop' | 'gaitFile'
-  | 'graphRead' | 'graphSet' | 'graphLive' | 'jsonEdit';
+  | 'gaits' | 'gaitSource' | 'gaitRead' | 'gaitFitted' | 'gaitPlayed' | 'gaitPersonality' | 'gaitFile' | 'rigs'
+  | 'graphRead' | 'graphSet' | 'graphLive' | 'jsonEdit' | 'jsonRemove';
 
 /** Calls that are answered once, by name. */
 export interface Calls extends Pick<Surefoot, Forwarded> {
   start(): void;
-  openDefault(): { facts: CharacterFacts; mesh: CharacterMesh };
-  openPack(bytes: Uint8Array): { facts: CharacterFacts; mesh: CharacterMesh };
+  openDefault(): Shown;
+  openPack(bytes: Uint8Array): Shown;
   setCourse(name: string, gradeDeg: number): TerrainMesh;
-  /** Plays, and gives the curves of the gait's controls. */
-  gaitPlay(values: number[], speed: number, turn: number): Float32Array;
+  /** Plays, and gives the curves of what the gait does, and the ground where that is another one now. */
+  gaitPlay(values: number[], speed: number, turn: number, slope: number): { curves: Float32Array; ground: TerrainMesh | null };
+  /** The gait on another body; `shown` is null where that is the same. */
+  gaitRig(name: string, values: number[]): { gait: GaitFacts; shown: Shown | null };
+  /** By its own clips again: who is seen, where that is somebody else. */
+  gaitStop(): Shown | null;
   ground(): TerrainMesh;
-  crowd(count: number): { facts: CrowdFacts; mesh: CrowdMesh };
+  crowd(count: number, ground?: string): { facts: CrowdFacts; mesh: CrowdMesh; ground: TerrainMesh };
 }
 
 export type CallName = keyof Calls;
@@ -65,7 +75,7 @@ export type ToWorker =
   /** Advances; the answer is one frame in `buffer`, which goes back and forth. */
   | { kind: 'advance'; frames: number; parts: number; steering: Steering; buffer: ArrayBuffer }
   /** The same for the crowd. */
-  | { kind: 'crowd'; seconds: number; eye: [number, number]; lasting: boolean; buffer: ArrayBuffer };
+  | { kind: 'crowd'; seconds: number; eye: [number, number]; lasting: boolean; feet: boolean; buffer: ArrayBuffer };
 
 export type FromWorker =
   | { kind: 'answer'; id: number; result: unknown }

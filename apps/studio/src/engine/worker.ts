@@ -33,8 +33,22 @@ function crowdMesh(): CrowdMesh {
   };
 }
 
+function crowdGround(): TerrainMesh {
+  const surefoot = running();
+  return { positions: surefoot.array('crowdTerrain').slice(), triangles: surefoot.array('crowdTerrainTriangles').slice() };
+}
+
+/** As it was given last. */
+let given = new Float32Array(0);
+
 function ground(): TerrainMesh {
-  return { positions: running().array('terrain').slice(), triangles: running().array('terrainTriangles').slice() };
+  given = running().array('terrain').slice();
+  return { positions: given.slice(), triangles: running().array('terrainTriangles').slice() };
+}
+
+function isGiven(): boolean {
+  const now = running().array('terrain');
+  return now.length === given.length && now.every((value, i) => value === given[i]);
 }
 
 async function start(): Promise<void> {
@@ -54,7 +68,7 @@ function tellProgress(label: string, done: number, total: number): void {
   post({ kind: 'progress', label, done, total });
 }
 
-type Own = Exclude<CallName, keyof Surefoot> | 'openDefault' | 'openPack' | 'setCourse' | 'gaitPlay' | 'crowd';
+type Own = Exclude<CallName, keyof Surefoot> | 'openDefault' | 'openPack' | 'setCourse' | 'gaitPlay' | 'gaitRig' | 'gaitStop' | 'crowd';
 
 /** Calls that are more than one of the module's; all others are passed on as they are. */
 const calls: { [Name in Own]: (...args: Parameters<Calls[Name]>) => ReturnType<Calls[Name]> | Promise<void> } = {
@@ -65,12 +79,20 @@ const calls: { [Name in Own]: (...args: Parameters<Calls[Name]>) => ReturnType<C
     running().setCourse(name, gradeDeg);
     return ground();
   },
-  gaitPlay(values, speed, turn) {
-    running().gaitPlay(values, speed, turn);
-    return running().array('gaitCurves').slice();
+  gaitPlay(values, speed, turn, slope) {
+    running().gaitPlay(values, speed, turn, slope);
+    return { curves: running().array('gaitCurves').slice(), ground: isGiven() ? null : ground() };
+  },
+  gaitRig(name, values) {
+    const { gait, character } = running().gaitRig(name, values);
+    return { gait, shown: character && { facts: character, mesh: mesh() } };
+  },
+  gaitStop() {
+    const facts = running().gaitStop();
+    return facts && { facts, mesh: mesh() };
   },
   ground,
-  crowd: (count) => ({ facts: running().crowd(count), mesh: crowdMesh() }),
+  crowd: (count, on) => ({ facts: running().crowd(count, on), mesh: crowdMesh(), ground: crowdGround() }),
 };
 
 const post = (message: FromWorker, transfer: Transferable[] = []) =>
@@ -111,10 +133,10 @@ function advance({ frames, parts, steering, buffer: given }: Extract<ToWorker, {
   post({ kind: 'frame', buffer }, [buffer]);
 }
 
-function advanceCrowd({ seconds, eye, lasting, buffer: given }: Extract<ToWorker, { kind: 'crowd' }>): void {
+function advanceCrowd({ seconds, eye, lasting, feet, buffer: given }: Extract<ToWorker, { kind: 'crowd' }>): void {
   const surefoot = running();
   const begun = performance.now();
-  const posed = surefoot.crowdAdvance(seconds, eye[0], eye[1], lasting);
+  const posed = surefoot.crowdAdvance(seconds, eye[0], eye[1], lasting, feet);
   const animationMs = performance.now() - begun;
   const roots = surefoot.array('crowdRoots'), matrices = surefoot.array('crowdMatrices');
   const rows = Math.ceil((roots.length + matrices.length) / (4 * k_crowd_row));

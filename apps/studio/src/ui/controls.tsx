@@ -85,20 +85,20 @@ export function Slider(props: {
 
 export function Choose(props: {
   label: string;
-  choices: readonly Choice<string>[];
+  choices?: readonly Choice<string>[];
+  /** Choices under headings, after those without. */
+  groups?: readonly { label: string; choices: readonly Choice<string>[] }[];
   value: string;
   onChange: (value: string) => void;
 }) {
   const id = useId();
+  const option = ({ value, label }: Choice<string>) => <option key={value} value={value}>{label}</option>;
   return (
     <div class="choose">
       <label for={id}>{props.label}</label>
       <select id={id} value={props.value} onChange={(event) => props.onChange(event.currentTarget.value)}>
-        {props.choices.map((choice) => (
-          <option key={choice.value} value={choice.value}>
-            {choice.label}
-          </option>
-        ))}
+        {props.choices?.map(option)}
+        {props.groups?.map(({ label, choices }) => <optgroup key={label} label={label}>{choices.map(option)}</optgroup>)}
       </select>
     </div>
   );

@@ -1,12 +1,12 @@
 // The picture of a crowd: every level of the mesh is drawn once for all who wear it, skinned on the graphics card from one
 // texture, into which the engine's frame goes as it comes.
 import {
-  BufferAttribute, CircleGeometry, Color, DataTexture, DirectionalLight, DynamicDrawUsage, FloatType, Fog, Frustum, HemisphereLight,
+  BufferAttribute, CircleGeometry, Color, CustomBlending, DataTexture, DirectionalLight, DynamicDrawUsage, FloatType, Fog, Frustum, HemisphereLight,
   InstancedBufferAttribute, InstancedBufferGeometry, type Material, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, NearestFilter,
   PerspectiveCamera, RGBAFormat, Scene, Sphere, Vector3, WebGLRenderer, type WebGLProgramParametersWithUniforms,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
-import { k_crowd_row, type CrowdFacts, type CrowdMesh } from '../engine/messages';
+import { k_crowd_row, type CrowdFacts, type CrowdMesh, type TerrainMesh } from '../engine/messages';
 import { GroundView } from './ground';
 import { Pixels } from './pixels';
 import type { Palette } from './theme';
@@ -72,7 +72,7 @@ function skinned(material: MeshLambertMaterial, shared: Shared): MeshLambertMate
 
 /** A soft round shadow under each: what stands on the ground is seen to. */
 function shadow(shared: Shared): MeshBasicMaterial {
-  const material = new MeshBasicMaterial({ color: 0x000000, transparent: true, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -8 });
+  const material = new MeshBasicMaterial({ color: 0x000000, blending: CustomBlending, depthTest: false, depthWrite: false });
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, shared);
     shader.vertexShader = shader.vertexShader
@@ -205,20 +205,19 @@ export class CrowdPicture {
     palette.crowd.forEach((color, i) => this.#shared.uTints.value[i]!.set(color));
   }
 
-  show(facts: CrowdFacts, mesh: CrowdMesh): void {
+  show(facts: CrowdFacts, mesh: CrowdMesh, ground: TerrainMesh): void {
     this.#clear();
     this.#facts = facts;
     this.#shared.uLayout.value.set([facts.count, (k_floats_of_matrix / 4) * facts.joints, k_crowd_row]);
     this.#levels = facts.levels.map((range) => new Level(levelGeometry(mesh, range), this.#body, facts.count));
     this.#shadows = new Level(discGeometry(), this.#shadow, facts.count);
+    // Flat discs under who stands on a slope: they are drawn upon the ground whatever its height, and all else upon them.
+    this.#ground.mesh.renderOrder = -2;
+    this.#shadows.mesh.renderOrder = -1;
     this.#scene.add(...this.#levels.map((level) => level.mesh), this.#shadows.mesh);
-    const far = 3 * facts.radius + 150;
-    this.#ground.show({
-      positions: new Float32Array([-far, 0, -far, -far, 0, far, far, 0, far, far, 0, -far]),
-      triangles: new Uint32Array([0, 1, 2, 0, 2, 3]),
-    });
+    this.#ground.show(ground);
     this.#fog.near = 12 + facts.radius;
-    this.#fog.far = 60 + 3.2 * facts.radius;
+    this.#fog.far = 60 + 1.9 * facts.radius;
     this.look(this.#view);
   }
 

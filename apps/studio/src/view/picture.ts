@@ -19,6 +19,7 @@ const k_views: Record<CameraView, { offset: [number, number, number]; height: nu
   front: { offset: [0.9, 0.5, 3.9], height: 0.9 },
   feet: { offset: [1.5, 0.5, -0.7], height: 0.25 },
 };
+const k_adult_hips = 0.93; // [m] for whom these are
 const k_follow_rate = 7; // [1/s] of the camera after the character
 
 export class Picture {
@@ -52,7 +53,6 @@ export class Picture {
     this.#sun.shadow.mapSize.set(1024, 1024);
     this.#sun.shadow.bias = -0.0004;
     this.#sun.shadow.normalBias = 0.012;
-    Object.assign(this.#sun.shadow.camera, { left: -1.7, right: 1.7, top: 1.7, bottom: -1.7, near: 1, far: 20 });
     this.#scene.fog = new Fog(0, 16, 52);
     this.#scene.background = new Color();
     this.#scene.add(this.#ground.mesh, this.#overlays.group, this.#ghosts.group, this.#sun, this.#sun.target, this.#fill);
@@ -92,7 +92,21 @@ export class Picture {
     if (this.#palette) this.#character.paint(this.#palette);
     this.#scene.add(this.#character.mesh);
     this.#ghosts.show(mesh, facts.layout.mostGhosts);
-    this.#settled = false;
+    this.#makeRoom();
+  }
+
+  get #size(): number {
+    return (this.#facts?.hipHeight ?? k_adult_hips) / k_adult_hips;
+  }
+
+  /** Who has grown out of the picture is looked at from farther away; nearer is where the user goes. */
+  #makeRoom(): void {
+    const reach = 1.7 * this.#size, shadow = this.#sun.shadow.camera;
+    Object.assign(shadow, { left: -reach, right: reach, top: reach, bottom: -reach, near: 1, far: 20 * Math.max(this.#size, 1) });
+    shadow.updateProjectionMatrix();
+    const away = this.#camera.position.clone().sub(this.#controls.target);
+    const least = 0.8 * this.#size * Math.hypot(...k_views[this.#view].offset);
+    if (this.#settled && away.length() < least) this.#camera.position.add(away.multiplyScalar(least / away.length() - 1));
   }
 
   showTerrain(terrain: TerrainMesh): void {
@@ -118,13 +132,13 @@ export class Picture {
   }
 
   #follow(root: Vector3, yaw: number, seconds: number): void {
-    const view = k_views[this.#view];
+    const view = k_views[this.#view], size = this.#size;
     const goal = root.clone();
-    goal.y += view.height;
+    goal.y += view.height * size;
     const target = this.#controls.target;
     if (!this.#settled) {
       target.copy(goal);
-      this.#camera.position.fromArray(view.offset).applyAxisAngle(new Vector3(0, 1, 0), yaw).add(goal);
+      this.#camera.position.fromArray(view.offset).multiplyScalar(size).applyAxisAngle(new Vector3(0, 1, 0), yaw).add(goal);
       this.#settled = true;
     } else {
       const step = goal.sub(target);
@@ -134,8 +148,8 @@ export class Picture {
       this.#camera.position.add(step);
     }
     this.#controls.update();
-    this.#sun.target.position.copy(root).y += 0.8;
-    this.#sun.position.copy(this.#sun.target.position).add(new Vector3(4.2, 8, -3));
+    this.#sun.target.position.copy(root).y += 0.8 * size;
+    this.#sun.position.copy(this.#sun.target.position).add(new Vector3(4.2, 8, -3).multiplyScalar(Math.max(size, 1)));
   }
 
   dispose(): void {

@@ -3,13 +3,14 @@ import { effect } from '@preact/signals';
 import { useEffect, useId, useRef } from 'preact/hooks';
 import { costs, crowd, lookFrom, makeCrowd, medianAnimation, posed, texels, tickCrowd } from '../crowd';
 import { facts as character, failForGood, frameCount, notice } from '../session';
-import { crowdCount, crowdView, k_most_crowd, lastingPoses } from '../settings';
+import { crowdCount, crowdFeet, crowdGround, crowdView, k_most_crowd, lastingPoses } from '../settings';
 import { CrowdPicture } from '../view/crowd';
 import { runPicture } from '../view/picture_loop';
 import { palette } from '../view/theme';
-import { Section, Segmented, Toggle } from '../ui/controls';
+import { Choose, Section, Segmented, Toggle } from '../ui/controls';
 
 const k_counts = [1, 10, 100, 500, 2000, 10000];
+const k_ground_names: Record<string, string> = { flat: 'Flat', hills: 'Hills', slope: 'A slope', kerbs: 'Kerbs' };
 const k_readout_ms = 250;
 const grouped = (value: number) => value.toLocaleString('en').replaceAll(',', ' ');
 
@@ -22,7 +23,7 @@ function run(canvas: HTMLCanvasElement): () => void {
   const stops = [
     effect(() => own.paint(palette.value)),
     effect(() => {
-      if (crowd.value) own.show(crowd.value.facts, crowd.value.mesh);
+      if (crowd.value) own.show(crowd.value.facts, crowd.value.mesh, crowd.value.ground);
     }),
     effect(() => own.look(crowdView.value)),
   ];
@@ -153,7 +154,20 @@ export function CrowdPanel() {
             </button>
           ))}
         </div>
-        <p class="note">{character.value ? `${character.value.name}: ${character.value.joints.length} joints, ${character.value.clips} clips.` : ''}</p>
+        <p class="note">{character.value ? `${character.value.name}: ${character.value.joints.length} joints, ${character.value.clipNames.length} clips.` : ''}</p>
+      </Section>
+      <Section title="Ground">
+        <Choose
+          label="They go on"
+          choices={(crowd.value?.facts.grounds ?? [crowdGround.value]).map((value) => ({ value, label: k_ground_names[value] ?? value }))}
+          value={crowdGround.value}
+          onChange={(value) => {
+            crowdGround.value = value;
+            void makeCrowd(false);
+          }}
+        />
+        <Toggle label="Feet are laid on it" hint="Off: the body follows the ground, the legs stay as animated" on={crowdFeet.value} onChange={(on) => (crowdFeet.value = on)} />
+        <p class="note">{crowdGround.value === 'flat' ? 'On flat ground the clips’ own feet stand.' : 'A foot’s plane is asked for once a step, eight characters at a time; switch it off to see what it costs.'}</p>
       </Section>
       <Section title="Animation">
         <Toggle
@@ -164,7 +178,7 @@ export function CrowdPanel() {
         />
         <p class="note">
           Each character has a speed, a turn and a phase of its own, blends up to three clips and is posed in the engine's worker, eight at a time: what a game
-          would pay on one core. The feet are not placed.
+          would pay on one core.
         </p>
       </Section>
       <Section title="Drawing">

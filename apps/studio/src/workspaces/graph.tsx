@@ -1,43 +1,24 @@
 // Graph: what the character plays and why, while it plays; its parameters as controls, its transitions to be shaped.
-import { useRef, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import {
-  asked, canRedo, canUndo, complaint, edit, graph, live, openFirstGraph, openGraph, part, setParameter, shownMachine,
-  shownTransition, stepAhead, stepBack,
+  asked, canRedo, canUndo, complaint, edit, fixed, graph, live, openFirstGraph, openFromFolder, openGraph, part, saveInFolder,
+  setParameter, shownMachine, shownTransition, stepAhead, stepBack,
 } from '../graph';
+import { graphsInFolder, isServed } from '../graph_file';
 import { download } from '../download';
-import { graphText } from '../settings';
+import { graphFile, graphText } from '../settings';
 import type { GraphParameter } from '../engine/messages';
 import { Choose, Section, Segmented, Slider, Toggle } from '../ui/controls';
 import { Curve } from '../ui/curve';
+import { EditField } from '../ui/edit_field';
 import { BlendTree, MachineMap } from '../ui/graph_map';
+import { Conditions, ShapeSection } from './graph_edit';
 
 const k_kinds = [
   { value: 'feather' as const, label: 'Feather', hint: 'Both play, and one fades into the other' },
   { value: 'inertialize' as const, label: 'Inertialize', hint: 'The new one plays alone; what the old pose was ahead of it dies away' },
 ];
 const spoken = (name: string) => name.replaceAll('_', ' ');
-
-function EditField(props: { label: string; value: number; pointer: string }) {
-  // What is typed is the user's until it is done; then it is what the file says, whether it was taken or not.
-  const [draft, setDraft] = useState<string | null>(null);
-  const done = async (value: number) => {
-    if (Number.isFinite(value)) await edit(props.pointer, value);
-    part();
-    setDraft(null);
-  };
-  return (
-    <label class="field">
-      {props.label}
-      <input
-        type="number"
-        step="any"
-        value={draft ?? props.value}
-        onInput={(event) => setDraft(event.currentTarget.value)}
-        onChange={(event) => void done(event.currentTarget.valueAsNumber)}
-      />
-    </label>
-  );
-}
 
 function Parameter({ parameter, index }: { parameter: GraphParameter; index: number }) {
   const { name, kind, low, high, initial, unit } = parameter;
@@ -82,6 +63,7 @@ function TransitionSection() {
       <p class="note">
         From {state(transition.from)} to {state(transition.to)}, when {transition.when}.{now?.transition === index ? ' It runs.' : ''}
       </p>
+      <Conditions transition={transition} />
       <Slider label="Takes" unit="s" value={transition.seconds} low={0} high={Math.max(3, transition.seconds)} step={0.05} initial={0.2} onInput={(seconds) => void edit(`${transition.pointer}/seconds`, seconds)} onDone={part} />
       <Segmented label="Kind" choices={k_kinds} value={transition.kind} onChange={(kind) => void edit(`${transition.pointer}/kind`, kind).then(part)} />
       {transition.kind === 'feather' && (
@@ -99,6 +81,29 @@ function TransitionSection() {
   );
 }
 
+/** One graph, which may extend others of them. */
+async function openFiles(files: File[]): Promise<void> {
+  const texts = new Map(await Promise.all(files.map(async (file): Promise<[string, string]> => [file.name, await file.text()])));
+  const extended = new Set([...texts.values()].map((text) => /"extends"\s*:\s*"(?:[^"]*\/)?([^"/]*)"/.exec(text)?.[1]));
+  const first = [...texts].find(([name]) => !extended.has(name)) ?? [...texts][0];
+  if (first) await openGraph(first[1], null, texts);
+}
+
+/** Graphs of the folder that is served. */
+function FolderGraphs() {
+  const [names, setNames] = useState<string[]>([]);
+  const look = () => void graphsInFolder().then(setNames, () => setNames([]));
+  useEffect(look, [graphFile.value.name]);
+  return (
+    <>
+      {names.length > 0 && (
+        <Choose label="In the folder" choices={[{ value: '', label: 'choose one' }, ...names.map((name) => ({ value: name, label: name }))]} value={graphFile.value.name ?? ''} onChange={(name) => void (name && openFromFolder(name))} />
+      )}
+      <button type="button" disabled={fixed.value !== ''} title={fixed.value} onClick={() => void saveInFolder()}>Save in the folder</button>
+    </>
+  );
+}
+
 function OpenGraph() {
   const input = useRef<HTMLInputElement>(null);
   return (
@@ -108,14 +113,15 @@ function OpenGraph() {
         ref={input}
         class="hidden"
         type="file"
+        multiple
         accept=".json,application/json"
         tabIndex={-1}
         aria-hidden="true"
         aria-label="Graph file"
         onChange={(event) => {
-          const [file] = event.currentTarget.files ?? [];
+          const files = [...(event.currentTarget.files ?? [])];
           event.currentTarget.value = '';
-          if (file) void file.text().then(openGraph);
+          void openFiles(files);
         }}
       />
     </>
@@ -139,11 +145,13 @@ export function GraphPanel() {
         {known.parameters.map((parameter, i) => <Parameter key={parameter.name} parameter={parameter} index={i} />)}
       </Section>
       <TransitionSection />
+      {known.machines[shownMachine.value] && <ShapeSection machine={known.machines[shownMachine.value]!} />}
       <Section title="File">
-        <p class="note">An edit changes its value and no other byte of the file.</p>
+        <p class="note">{fixed.value || 'An edit changes its place in the file and no other byte.'}</p>
+        {isServed && <FolderGraphs />}
         <span class="pair">
           <OpenGraph />
-          <button type="button" onClick={() => download(`${known.name}.json`, graphText.value ?? '')}>Save</button>
+          <button type="button" onClick={() => download(`${known.name}.json`, graphText.value ?? '')}>{isServed ? 'Download' : 'Save'}</button>
           <button type="button" onClick={() => void openFirstGraph()} title="The graph that the studio begins with">First one</button>
         </span>
       </Section>
