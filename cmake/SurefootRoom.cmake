@@ -41,6 +41,10 @@ endfunction()
 function(surefoot_compile_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wno-psabi -ffp-contract=off -fno-math-errno
                                            $<$<BOOL:${SUREFOOT_WERROR}>:-Werror>)
+  # GCC 12 makes vfmaddsub of alternating sums in spite of -ffp-contract=off where the processor of its flags has it.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+    target_compile_options(${target} PRIVATE -mno-fma)
+  endif()
   # GCC 12 warns of impossible overlaps in std::string concatenation (GCC bug 105651).
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict)
