@@ -164,8 +164,9 @@ RootFrame integrate(Vec3 velocity, float turn_rate, float seconds) noexcept {
         along = 1.0f - square / 6.0f * (1.0f - square / 20.0f);
         across = 0.5f * angle * (1.0f - square / 12.0f * (1.0f - square / 30.0f));
     } else {
-        along = sin(angle) / angle;
-        across = (1.0f - cos(angle)) / angle;
+        const SinCos turn = sin_cos(static_cast<double>(angle));
+        along = static_cast<float>(turn.sin) / angle;
+        across = (1.0f - static_cast<float>(turn.cos)) / angle;
     }
     return {{seconds * (velocity.x * along + velocity.z * across), seconds * velocity.y,
              seconds * (velocity.z * along - velocity.x * across)},

@@ -15,8 +15,7 @@ constexpr float k_half_width = 0.2f;  // of a sole's length
 constexpr float k_still = 0.01f;      // [m/s] who goes slower stands
 constexpr float k_step = 1e-3f;       // of the cycle, for slopes
 
-float smooth(float t) { return t * t * (3 - 2 * t); }
-float between(float t, float from, float to) { return smooth(std::clamp((t - from) / (to - from), 0.0f, 1.0f)); }
+float between(float t, float from, float to) { return smooth_step((t - from) / (to - from)); }
 /// Rises from 0 and returns to 0 with no slope at either end; 1 in the middle.
 float bump(float t) { return 16 * t * t * (1 - t) * (1 - t); }
 

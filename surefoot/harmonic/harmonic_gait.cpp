@@ -252,8 +252,7 @@ void term_weights(const GaitBasis& basis, float speed, float turn_deg, std::span
 
 float share_of_running(const GaitBasis& basis, float speed) noexcept {
     if (basis.modes < 2) return 0;
-    const float t = std::clamp((speed - basis.walk_until) / (basis.run_from - basis.walk_until), 0.0f, 1.0f);
-    return t * t * (3 - 2 * t);
+    return smooth_step((speed - basis.walk_until) / (basis.run_from - basis.walk_until));
 }
 
 void values_at(const HarmonicGait& gait, float speed, float turn_deg, std::span<float> values) noexcept {

@@ -40,9 +40,4 @@ inline float lift_of(const LiveFoot& foot, float lift) noexcept { return std::mi
 /// [0, 1] of the swing.
 float swing_share(const LiveFoot& foot, float share) noexcept;
 
-inline float smooth_step(float x) noexcept {
-    x = std::clamp(x, 0.0f, 1.0f);
-    return x * x * (3 - 2 * x);
-}
-
 }  // namespace surefoot

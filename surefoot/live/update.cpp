@@ -137,9 +137,17 @@ class FootStepper {
     float dt_;
 };
 
-void step(const LiveRig& rig, LiveState& state, float dt, RootFrame& root) noexcept {
-    const Mixture before = mixture_of(rig, state);
-    const std::array<float, 2> shares{own_share(before, state.limbs, 0), own_share(before, state.limbs, 1)};
+/// Nothing of the mixture is on its way elsewhere.
+bool is_settled(const LiveState& state) noexcept {
+    const auto arrived = [](const Glide& glide) { return glide.arrived(); };
+    return state.speed.arrived() && state.turn.arrived() && state.posture_speed.arrived() &&
+           state.posture_turn.arrived() && state.standing.arrived() && std::ranges::all_of(state.weight, arrived);
+}
+
+/// `now` is what it does before the step, and then after it.
+void step(const LiveRig& rig, LiveState& state, float dt, Mixture& now, RootFrame& root) noexcept {
+    const std::array<float, 2> shares{own_share(now, state.limbs, 0), own_share(now, state.limbs, 1)};
+    const bool settled = is_settled(state);
     const RootFrame moved = travel(rig, state, dt);
     root = root * moved;
     for (LiveFoot& foot : state.feet) foot.plant = between(moved, foot.plant);
@@ -150,9 +158,9 @@ void step(const LiveRig& rig, LiveState& state, float dt, RootFrame& root) noexc
     advance(state.standing, dt);
     for (Glide& weight : state.weight) advance(weight, dt);
     state.breath = wrap_phase(state.breath + rig.idle_hz * dt);
+    if (state.rests == 0) advance(state.limbs, now.order.offset, now.rhythm.frequency, dt);
+    if (!settled) now = mixture_of(rig, state);
     if (state.rests != 0) return;
-    advance(state.limbs, before.order.offset, before.rhythm.frequency, dt);
-    const Mixture now = mixture_of(rig, state);
     FootStepper feet(rig, state, now, dt);
     for (std::size_t side = 0; side < 2; ++side) feet.follow(side, shares[side]);
     if (state.standing.target != 1) return;
@@ -294,9 +302,9 @@ RootFrame travel(const LiveRig& rig, const LiveState& state, float seconds) noex
 LiveFrame update(const LiveRig& rig, LiveState& state, const LiveRequest& request, float dt) noexcept {
     hear(rig, state, bounded(rig, request));
     LiveFrame frame;
+    Mixture now = mixture_of(rig, state);
     const int parts = std::clamp(static_cast<int>(std::ceil(dt / k_longest_step)), 1, 600);
-    for (int i = 0; i < parts; ++i) step(rig, state, dt / static_cast<float>(parts), frame.root_delta);
-    const Mixture now = mixture_of(rig, state);
+    for (int i = 0; i < parts; ++i) step(rig, state, dt / static_cast<float>(parts), now, frame.root_delta);
     frame.velocity = now.rhythm.velocity;
     frame.turn = now.turn;
     frame.frequency = state.rests != 0 ? 0 : now.rhythm.frequency;

@@ -37,8 +37,9 @@ constexpr Vec3 rotate(Quat q, Vec3 v) noexcept {
 constexpr Quat aligned(Quat q, Quat reference) noexcept { return dot(q, reference) < 0 ? -q : q; }
 
 inline Quat axis_angle(Vec3 unit_axis, float radians) noexcept {
-    const float s = sin(0.5f * radians);
-    return {unit_axis.x * s, unit_axis.y * s, unit_axis.z * s, cos(0.5f * radians)};
+    const SinCos half = sin_cos(static_cast<double>(0.5f * radians));
+    const auto s = static_cast<float>(half.sin);
+    return {unit_axis.x * s, unit_axis.y * s, unit_axis.z * s, static_cast<float>(half.cos)};
 }
 
 /// Rotation vector (axis times angle, |angle| <= pi) to rotation and back.
@@ -79,7 +80,10 @@ inline Quat slerp(Quat a, Quat b, float t) noexcept {
 }
 
 /// Rotation about +Y by `yaw` (positive: to the character's left).
-inline Quat from_yaw(float yaw) noexcept { return {0, sin(0.5f * yaw), 0, cos(0.5f * yaw)}; }
+inline Quat from_yaw(float yaw) noexcept {
+    const SinCos half = sin_cos(static_cast<double>(0.5f * yaw));
+    return {0, static_cast<float>(half.sin), 0, static_cast<float>(half.cos)};
+}
 /// Heading of the direction that `q` gives to +Z, in (-pi, pi].
 inline float yaw_of(Quat q) noexcept {
     const Vec3 f = rotate(q, {0, 0, 1});

@@ -1,6 +1,7 @@
 #pragma once
 // Vectors of three floats, metres unless said otherwise. Right-handed, Y up; a character faces +Z and its left is +X.
 
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot {
@@ -27,6 +28,11 @@ constexpr Vec3 cross(Vec3 a, Vec3 b) noexcept {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 constexpr Vec3 lerp(Vec3 a, Vec3 b, float t) noexcept { return a + (b - a) * t; }
+/// From 0 to 1 with no slope at either end; `t` beyond [0, 1] stays at the nearer one.
+inline float smooth_step(float t) noexcept {
+    t = std::clamp(t, 0.0f, 1.0f);
+    return t * t * (3 - 2 * t);
+}
 constexpr float length_squared(Vec3 a) noexcept { return dot(a, a); }
 inline float length(Vec3 a) noexcept { return std::sqrt(dot(a, a)); }
 inline float distance(Vec3 a, Vec3 b) noexcept { return length(a - b); }

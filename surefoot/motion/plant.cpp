@@ -138,7 +138,7 @@ std::vector<Correction> all_corrections(const SoleTrack& sole, const std::vector
         const double begin = next > 0 ? stances[next - 1].last : 0;
         const double end = next < stances.size() ? stances[next].first : frames - 1;
         const auto t = end > begin ? static_cast<float>((f - begin) / (end - begin)) : 0.0f;
-        const float share = t * t * (3 - 2 * t);
+        const float share = smooth_step(t);
         result[at(f)] = {lerp(from.move, to.move, share), from.yaw + share * (to.yaw - from.yaw)};
     }
     return result;

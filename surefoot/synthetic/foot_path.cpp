@@ -26,8 +26,6 @@ float early_bump(float t) {
     return t * t * (1 - t) * (1 - t) * (1 - t) / k_peak;
 }
 
-float smooth(float t) { return t * t * (3 - 2 * t); }
-
 Vec3 hermite(Vec3 a, Vec3 velocity_a, Vec3 b, Vec3 velocity_b, float t, float seconds) {
     const float u = 1 - t;
     return a * (u * u * (1 + 2 * t)) + b * (t * t * (3 - 2 * t)) + velocity_a * (t * u * u * seconds) -
@@ -129,7 +127,7 @@ FootPose FootPath::swinging(float phase) const {
                          t, seconds);
     const float hard = sole_reach(phase, 0), soft = sole_reach(phase, k_sole_softness);
     pose.ankle.y = hard + bump(t) * (soft - hard) + gait_.clearance * bump(t) + gait_.kick * early_bump(t);
-    pose.yaw = from.yaw + (to.yaw - from.yaw) * smooth(t);
+    pose.yaw = from.yaw + (to.yaw - from.yaw) * smooth_step(t);
     pose.pitch = pitch(phase);
     pose.toe_bend = toe_bend(phase);
     return pose;
