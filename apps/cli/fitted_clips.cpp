@@ -107,14 +107,15 @@ bool is_fitted(const std::string& gait) {
     return std::filesystem::path(gait).extension() == ".json" || find_fitted_gait(gait) != nullptr;
 }
 
-GaitStyle fitted_style(const std::string& personality, std::span<const std::string> sliders) {
+GaitStyle fitted_style(const std::string& personality, std::span<const std::string> sliders,
+                       const StyleOptions& options) {
     GaitStyle style;
     const std::size_t hash = personality.rfind('#');
     if (hash != std::string::npos) {
         const std::string file = personality.substr(0, hash);
         style = pick(read_personalities(read_file(file), file), personality.substr(hash + 1), file).style;
     } else if (!personality.empty()) {
-        style = pick(bundled_personalities(), personality, "--personality").style;
+        style = pick(bundled_personalities(), personality, options.personality).style;
     }
     for (const std::string& text : sliders) {
         const std::size_t equals = text.find('=');
@@ -122,8 +123,8 @@ GaitStyle fitted_style(const std::string& personality, std::span<const std::stri
                    *end = text.data() + text.size();
         float value = 0;
         if (first == end || fast_float::from_chars(first, end, value).ptr != end)
-            throw Error("'" + text + "' sets no slider", "-p", "write name=number, as spine.lean_deg=10");
-        set_slider(style, text.substr(0, equals), value, "-p");
+            throw Error("'" + text + "' sets no slider", options.slider, "write name=number, as spine.lean_deg=10");
+        set_slider(style, text.substr(0, equals), value, options.slider);
     }
     return style;
 }
@@ -141,11 +142,20 @@ AnalyzedClip bake_fitted(const std::string& name, std::optional<float> speed, st
                      options);
 }
 
-int play_fitted(const PlayFitted& play) {
-    if (play.out.empty()) {
-        describe(read_fitted(play.gait), named_of(play.gait), play.json);
-        return 0;
-    }
+namespace {
+
+/// The gait itself, for all speeds, as its personality and sliders have it.
+int write_styled(const PlayFitted& play) {
+    if (play.speed || play.turn || play.slope != 0 || !play.rig.empty() || play.as_fitted)
+        throw Error("a gait is written for every speed, on the body and ground that it was fitted on", play.out,
+                    "leave out --speed, --turn, --slope, --rig and --as-fitted, or write a clip: -o walk.glb");
+    HarmonicGait gait = with_style(read_fitted(play.gait), fitted_style(play.personality, play.set));
+    gait.name = std::filesystem::path(play.out).stem().string();
+    write_file(play.out, gait_to_json(gait));
+    return 0;
+}
+
+int write_baked(const PlayFitted& play) {
     check_clip_output(play.out);
     AnalyzedClip baked = bake_fitted(play.gait, play.speed, play.turn,
                                      {fitted_style(play.personality, play.set), play.slope, play.fps, !play.as_fitted});
@@ -154,7 +164,10 @@ int play_fitted(const PlayFitted& play) {
     fmt::print(stderr, "{}: {:.3f} m/s, {:.1f} deg/s, {}\n", baked.facts.name, baked.facts.speed, baked.facts.turn,
                skate_text(skate_of(baked)));
     if (!play.rig.empty()) {
-        const Actor source{{baked.motion.skeleton, baked.roles.roles, baked.legs, {}}, baked.roles, play.gait};
+        Actor source;
+        source.body = {baked.motion.skeleton, baked.roles.roles, baked.legs, {}};
+        source.roles = baked.roles;
+        source.name = play.gait;
         baked = retargeted(baked, source, read_actor(play.rig, parse_roles(play.roles, "--roles")));
     }
     if (play.cycles > 1)
@@ -162,6 +175,16 @@ int play_fitted(const PlayFitted& play) {
     const Legs legs = baked.legs;
     write_clip_file({as_clip(std::move(baked))}, play.out, {{}, true, legs});
     return 0;
+}
+
+}  // namespace
+
+int play_fitted(const PlayFitted& play) {
+    if (play.out.empty()) {
+        describe(read_fitted(play.gait), named_of(play.gait), play.json);
+        return 0;
+    }
+    return std::filesystem::path(play.out).extension() == ".json" ? write_styled(play) : write_baked(play);
 }
 
 }  // namespace surefoot::cli

@@ -24,8 +24,13 @@ LoadedClip noted(AnalyzedClip clip, const std::string& file, const std::string& 
 /// A baked gait with its facts as extras.
 LoadedClip as_clip(AnalyzedClip baked);
 
+/// What the options are called that name a personality and set sliders, for errors.
+struct StyleOptions {
+    std::string personality = "--personality", slider = "-p";
+};
 /// A personality (a bundled one, FILE.json#NAME, or none) and sliders as "spine.lean_deg=10" on top. Throws Error.
-GaitStyle fitted_style(const std::string& personality, std::span<const std::string> sliders);
+GaitStyle fitted_style(const std::string& personality, std::span<const std::string> sliders,
+                       const StyleOptions& options = {});
 
 /// A cycle of a fitted gait, at a speed and turn that are its own where none are given. Throws Error.
 AnalyzedClip bake_fitted(const std::string& gait, std::optional<float> speed, std::optional<float> turn,

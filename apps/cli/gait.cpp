@@ -154,7 +154,9 @@ const Command k_gait{
         app.add_option("-p,--set", options->set, "Set a parameter, name=value (may be repeated)")
             ->type_name("NAME=VALUE")
             ->allow_extra_args(false);
-        app.add_option("-o,--output", options->out, "Write it as a clip with root motion, .glb or .bvh");
+        app.add_option(
+            "-o,--output", options->out,
+            "Write it as a clip with root motion, .glb or .bvh; a fitted gait with its sliders set as .json");
         app.add_option("--rig", options->rig, "Whose clip: a file with a character, or 'default'");
         app.add_option("--roles", options->roles, "Joints of the rig by hand, as left_foot=Foot_L (repeatable)")
             ->allow_extra_args(false);

@@ -50,12 +50,12 @@ bool is_live_gait(const std::string& name) {
     return has_extension(name, ".gait") || (has_extension(name, ".json") && is_gait_json(read_file(name)));
 }
 
-LiveGait read_live_gait(const std::string& name) {
+LiveGait read_live_gait(const std::string& name, const GaitStyle& style) {
     LiveGait live;
     const HarmonicGait gait = read_any(name);
     live.name = gait.name;
     const bool bundled = !std::filesystem::exists(name) && !fitted_gait_text(gait.name).empty();
-    live.rig = live_rig_of(gait, bundled ? GaitCompany::bundled : GaitCompany::alone, name);
+    live.rig = live_rig_of(gait, bundled ? GaitCompany::bundled : GaitCompany::alone, name, style);
     std::vector<Transform> models(live.rig.stand.size());
     local_to_model(*gait.skeleton, live.rig.stand, models);
     live.roles = find_roles(*gait.skeleton, models).roles;

@@ -1,6 +1,7 @@
 #pragma once
 // Gaits that are played live, as the command line names them.
 
+#include <surefoot/harmonic/gait_style.h>
 #include <surefoot/live/live.h>
 #include <surefoot/rig/roles.h>
 
@@ -20,7 +21,8 @@ struct LiveGait {
 /// program carries, where no file is called so.
 bool is_live_gait(const std::string& name);
 
-/// The gait named. One of expressions is played for a cycle on the generated biped and fitted. Throws Error.
-LiveGait read_live_gait(const std::string& name);
+/// The gait named, as `style` says. One of expressions is played for a cycle on the generated biped and fitted. Throws
+/// Error.
+LiveGait read_live_gait(const std::string& name, const GaitStyle& style = {});
 
 }  // namespace surefoot::cli

@@ -177,14 +177,17 @@ const Command k_walk{
             ->check(CLI::Range(-10.0, 10.0))
             ->check(is_number);
         app.add_option("--set", options->set,
-                       "NAME=VALUE of the slope, of an axis of your own, or of a graph's parameter (repeatable)")
+                       "NAME=VALUE of the slope, of an axis of your own, of a graph's parameter, or of a fitted "
+                       "gait's slider (repeatable)")
             ->allow_extra_args(false);
         app.add_option("--seconds", options->seconds, "How long; 10, with --all 16, with turns 30, on an eight 60")
             ->check(CLI::Range(0.5, 3600.0))
             ->check(is_number);
         app.add_flag("--keep-pace", options->keep_pace,
                      "Keep the speed asked for even where the ground is too steep for such steps");
-        app.add_option("--style", options->style, "NAME or NAME=WEIGHT (0 to 1): a style of the project");
+        app.add_option("--style", options->style,
+                       "NAME or NAME=WEIGHT (0 to 1): a style of the project; of a fitted gait a personality, tired, "
+                       "proud, sneaky, drunk, elderly or FILE.json#NAME");
         app.add_option("--ik", options->ik,
                        "Foot placement of the written scene and filmstrip (surefoot); with --all, the only one walked")
             ->check(CLI::IsMember({"none", "colvin2013", "surefoot"}));

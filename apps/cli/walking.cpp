@@ -2,6 +2,8 @@
 
 #include "walking.h"
 
+#include "fitted_clips.h"
+
 #include <surefoot/analysis/analyze.h>
 #include <surefoot/base/error.h>
 #include <surefoot/course/live_play.h>
@@ -168,9 +170,7 @@ void load_character(const WalkOptions& options, Walking& walking) {
 }
 
 void load_gait(WalkOptions& options, Walking& walking) {
-    if (!options.set.empty() || !options.style.empty())
-        throw Error("a gait has neither axes nor styles to set", "--set, --style", "leave them out");
-    walking.live = read_live_gait(options.project);
+    walking.live = read_live_gait(options.project, fitted_style(options.style, options.set, {"--style", "--set"}));
     const LiveGait& gait = walking.live;
     walking.name = gait.name;
     walking.roles = gait.roles;

@@ -28,12 +28,14 @@ HarmonicGait as_played_live(const HarmonicGait& gait) {
     return can_be_held ? holding_feet(gait) : gait;
 }
 
-LiveRig live_rig_of(const HarmonicGait& gait, GaitCompany company, const std::string& name) {
-    std::vector<LiveManner> manners{{gait.name, shared_gait(as_played_live(gait)), nullptr}};
+LiveRig live_rig_of(const HarmonicGait& gait, GaitCompany company, const std::string& name, const GaitStyle& style) {
+    const auto manner = [&](const HarmonicGait& plain) {
+        return shared_gait(as_played_live(with_style(plain, style)));
+    };
+    std::vector<LiveManner> manners{{gait.name, manner(gait), nullptr}};
     std::shared_ptr<const HarmonicGait> idle;
     if (company == GaitCompany::bundled) {
-        if (gait.name == "human")
-            manners.push_back({"crouch", shared_gait(as_played_live(fitted_gait("crouch"))), nullptr});
+        if (gait.name == "human") manners.push_back({"crouch", manner(fitted_gait("crouch")), nullptr});
         if (gait.name != "idle") idle = shared_gait(fitted_gait("idle"));
     }
     LiveRig rig = make_live_rig(std::move(manners), std::move(idle));

@@ -1,6 +1,7 @@
 #pragma once
 // Fitted gaits made ready to be played live (live/live.h).
 
+#include <surefoot/harmonic/gait_style.h>
 #include <surefoot/live/live.h>
 
 #include <memory>
@@ -20,7 +21,9 @@ HarmonicGait as_played_live(const HarmonicGait& gait);
 
 /// `bundled` company is for gaits that the program carries (fitted_gaits.h): all are of one body. `name` is what the
 /// user called it. Throws Error where it cannot be played live.
-LiveRig live_rig_of(const HarmonicGait& gait, GaitCompany company, const std::string& name);
+/// Walking and crouching alike go as `style` says.
+LiveRig live_rig_of(const HarmonicGait& gait, GaitCompany company, const std::string& name,
+                    const GaitStyle& style = {});
 
 /// The rig of a file of a fitted gait or, where no file is called so, of a gait that the program carries. Throws Error.
 LiveRig read_live_rig(const std::string& name);

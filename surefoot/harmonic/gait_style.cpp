@@ -133,11 +133,25 @@ void move_feet(const HarmonicGait& gait, const GaitStyle& style, const GaitSerie
             for (const int axis : {0, 2}) scale_about(series.foot(side, part, axis), 0.5f * gait.foot_lift, stride);
     const std::span<float> rhythm = series.rhythm();
     rhythm[4] /= stride;
-    if (legs.lag != 0) rhythm[5] = std::clamp(rhythm[5] + legs.lag, 0.3f, 0.7f);
-    if (legs.sharpness != 1)
-        for (std::size_t side = 0; side < 2; ++side)
-            rhythm[6 + side] =
-                std::clamp(1 - (1 - rhythm[6 + side]) / std::clamp(legs.sharpness, 0.3f, 2.0f), 0.2f, 0.8f);
+    rhythm[5] += legs.lag;
+    if (legs.sharpness == 1) return;
+    for (std::size_t side = 0; side < 2; ++side)
+        rhythm[6 + side] = 1 - (1 - rhythm[6 + side]) / std::clamp(legs.sharpness, 0.3f, 2.0f);
+}
+
+/// All of the sliders but for what keeps rhythms sane. What it makes of a sum of values is the sum of what it makes of
+/// each, but for what it adds to all of them alike.
+void apply_sliders(const HarmonicGait& gait, const StyleBody& body, const GaitStyle& style,
+                   std::span<float> values) noexcept {
+    const GaitSeries series(gait, values);
+    move_joints(gait, body, style, series);
+    move_hips(gait, body, style, series);
+    hold(series, body, std::array{gait.soles.hips}, held(style[BodyPart::pelvis]));
+    // What stands on the pelvis stays upright: its lean is its own.
+    hold(series, body, body.spine, held(style[BodyPart::spine]) - held(style[BodyPart::pelvis]));
+    hold(series, body, body.head, held(style[BodyPart::head]));
+    hold_arms(series, body, style[BodyPart::arms]);
+    move_feet(gait, style, series);
 }
 
 }  // namespace
@@ -165,15 +179,28 @@ StyleBody make_style_body(const HarmonicGait& gait) {
 
 void apply_style(const HarmonicGait& gait, const StyleBody& body, const GaitStyle& style,
                  std::span<float> values) noexcept {
-    const GaitSeries series(gait, values);
-    move_joints(gait, body, style, series);
-    move_hips(gait, body, style, series);
-    hold(series, body, std::array{gait.soles.hips}, held(style[BodyPart::pelvis]));
-    // What stands on the pelvis stays upright: its lean is its own.
-    hold(series, body, body.spine, held(style[BodyPart::spine]) - held(style[BodyPart::pelvis]));
-    hold(series, body, body.head, held(style[BodyPart::head]));
-    hold_arms(series, body, style[BodyPart::arms]);
-    move_feet(gait, style, series);
+    apply_sliders(gait, body, style, values);
+    const PartStyle& legs = style[BodyPart::legs];
+    const std::span<float> rhythm = GaitSeries(gait, values).rhythm();
+    if (legs.lag != 0) rhythm[5] = std::clamp(rhythm[5], 0.3f, 0.7f);
+    if (legs.sharpness != 1)
+        for (float& lift : rhythm.subspan(6, 2)) lift = std::clamp(lift, 0.2f, 0.8f);
+}
+
+HarmonicGait with_style(const HarmonicGait& gait, const GaitStyle& style) {
+    if (style == GaitStyle{}) return gait;  // to the last bit
+    const StyleBody body = make_style_body(gait);
+    const std::size_t count = at(value_count(gait)), of_mode = at(gait.basis.terms_of_mode());
+    std::vector<float> added(count, 0.0f);
+    apply_sliders(gait, body, style, added);
+    HarmonicGait styled = gait;
+    for (std::size_t term = 0; term < at(gait.basis.terms()); ++term) {
+        const std::span<float> values(styled.coefficients.data() + term * count, count);
+        apply_sliders(gait, body, style, values);
+        if (term % of_mode == 0) continue;  // the first term of a mode weighs as much as the mode: all add up to 1
+        for (std::size_t i = 0; i < count; ++i) values[i] -= added[i];
+    }
+    return styled;
 }
 
 void apply_slope(const HarmonicGait& gait, const StyleBody& body, float slope_deg, std::span<float> values) noexcept {

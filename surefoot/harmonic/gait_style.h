@@ -31,6 +31,8 @@ struct PartStyle {
     float turn = 0;       ///< [-45, 45] deg to its left; not of the legs and arms
     float out = 0;        ///< [-45, 60] deg away from the body: arms abducted, toes turned out
     float bend = 0;       ///< [-30, 120] deg of the elbows; of the legs nothing: `crouch` bends the knees
+
+    bool operator==(const PartStyle&) const = default;
 };
 
 struct GaitStyle {
@@ -41,6 +43,7 @@ struct GaitStyle {
     float sway = 1;    ///< [0, 4] of the hips, sideways
     float bounce = 1;  ///< [0, 4] of the hips, up and down
 
+    bool operator==(const GaitStyle&) const = default;
     PartStyle& operator[](BodyPart part) noexcept { return parts[static_cast<std::size_t>(part)]; }
     const PartStyle& operator[](BodyPart part) const noexcept { return parts[static_cast<std::size_t>(part)]; }
 };
@@ -59,6 +62,11 @@ StyleBody make_style_body(const HarmonicGait& gait);
 /// Changes `values` (values_at) as the sliders say. Sliders beyond their ranges are clamped.
 void apply_style(const HarmonicGait& gait, const StyleBody& body, const GaitStyle& style,
                  std::span<float> values) noexcept;
+
+/// The same gait with the sliders set for good, at every speed and turn: to be written to a file, played live, put into
+/// graphs and packs. It is apply_style's work on each term of the basis, which gives the same but for rhythms that
+/// sliders take beyond their bounds. Allocates.
+HarmonicGait with_style(const HarmonicGait& gait, const GaitStyle& style);
 
 /// Puts the gait on a slope [deg, positive uphill where it faces; clamped to +-35]: root and feet follow the ground,
 /// feet lie along it, the trunk leans into the climb and steps grow shorter. Lean: about a third of the slope uphill, a

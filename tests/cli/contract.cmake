@@ -82,6 +82,13 @@ if(NOT walked_project STREQUAL "${walked_hero.sfpack}" OR walked_project STREQUA
 endif()
 file(COPY_FILE "${SCRATCH}/project/project.json" "${SCRATCH}/broken.sfpack")
 expect(2 "it does not begin like a pack" walk broken.sfpack)
+# A personality, set for good in a file or on the way.
+expect(0 "" gait walk --personality tired -o tired.json)
+expect(0 "surefoot" walk tired.json --course flat --seconds 2)
+expect(0 "surefoot" walk human --style tired --set spine.lean_deg=5 --course flat --seconds 2)
+expect(2 "there is no personality 'grumpy'" walk human --style grumpy)
+expect(2 "no slider 'nose'" walk human --set nose=1)
+expect(2 "leave out --speed" gait walk --speed 1 -o fast.json)
 expect(2 "is not one to write" mirror project/clips/walk.glb mirrored.fbx)
 expect(2 "'nan' is not a number" cut project/clips/walk.glb cut.glb --from nan)
 expect(0 "" mirror project/clips/walk_left.glb mirrored.glb)

@@ -1,6 +1,7 @@
 #include <surefoot/analysis/leg_track.h>
 #include <surefoot/author/fitted_gaits.h>
 #include <surefoot/author/live_rigs.h>
+#include <surefoot/author/personalities.h>
 #include <surefoot/base/error.h>
 #include <surefoot/fit/derive.h>
 #include <surefoot/fit/fit_gait.h>
@@ -70,6 +71,60 @@ TEST(BundledGaits, played_live_poses_change_smoothly_with_the_speed) {
         const float whole = largest_change(live, 2, turn), half = largest_change(live, 1, turn);
         EXPECT_LT(whole, 6) << turn;
         EXPECT_LT(half, 0.6f * whole) << turn;
+    }
+}
+
+struct LiveWalk {
+    float head = 0, lowest_sole = 1, slide = 0, speed = 0;  ///< means [m], [m/s]; of heels and balls that stand flat
+};
+/// Three seconds of it, after one.
+LiveWalk walk_live(const LiveRig& rig, float asked) {
+    constexpr float k_dt = 1.0f / 60, k_low = 0.01f;
+    LiveState state = start(rig, {.speed = asked});
+    LiveScratch scratch(rig);
+    std::vector<Transform> locals(rig.stand.size()), models(locals.size());
+    const auto head = static_cast<std::size_t>(rig.skeleton->find("Head"));
+    RootFrame root;
+    std::array<Vec3, 4> before{};
+    LiveWalk walk;
+    int standing = 0;
+    for (int f = 0; f < 240; ++f) {
+        const LiveFrame frame = update(rig, state, {.speed = asked}, k_dt);
+        root = root * frame.root_delta;
+        pose(rig, state, scratch, locals);
+        local_to_model(*rig.skeleton, locals, models);
+        std::array<Vec3, 4> soles;
+        for (std::size_t side = 0; side < 2; ++side) {
+            const Leg& leg = rig.soles.side[side];
+            const SolePoints sole = sole_points(leg, to_transform(root) * models[static_cast<std::size_t>(leg.foot)],
+                                                to_transform(root) * models[static_cast<std::size_t>(leg.toes)]);
+            soles[2 * side] = sole.heel, soles[2 * side + 1] = sole.ball;
+            for (std::size_t i = 2 * side; f >= 60 && frame.planted[side] && i < 2 * side + 2; ++i) {
+                if (soles[i].y > k_low || before[i].y > k_low) continue;
+                walk.slide += planar_length(soles[i] - before[i]) / k_dt;
+                ++standing;
+            }
+        }
+        before = soles;
+        if (f < 60) continue;
+        for (const Vec3 sole : soles) walk.lowest_sole = std::min(walk.lowest_sole, sole.y);
+        walk.head += models[head].translation.y / 180;
+        walk.speed += planar_length(frame.root_delta.position) / (180 * k_dt);
+    }
+    walk.slide /= static_cast<float>(standing);
+    return walk;
+}
+
+TEST(BundledGaits, played_live_with_a_personality_they_look_like_it_and_their_feet_hold) {
+    const HarmonicGait human = fitted_gait("human");
+    const LiveWalk plain = walk_live(live_rig_of(human, GaitCompany::alone, "human"), 1.2f);
+    for (const Personality& personality : bundled_personalities()) {
+        const LiveWalk walk = walk_live(live_rig_of(human, GaitCompany::alone, "human", personality.style), 1.2f);
+        EXPECT_NEAR(walk.speed, 1.2f, 1e-3f) << personality.name;
+        EXPECT_GT(walk.lowest_sole, -0.01f) << personality.name;
+        EXPECT_LT(walk.slide, std::max(1.2f * plain.slide, 0.015f)) << personality.name;
+        const float lower = personality.name == "tired" ? 0.02f : personality.name == "sneaky" ? 0.15f : -1.0f;
+        EXPECT_LT(walk.head, plain.head - lower) << personality.name;
     }
 }
 

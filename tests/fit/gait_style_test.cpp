@@ -101,6 +101,34 @@ TEST(GaitStyle, each_slider_does_what_it_says) {
     EXPECT_GT(ahead(with("arms.bend_deg", 60), Role::left_hand, 1), ahead(plain, Role::left_hand, 1) + 0.05f);
 }
 
+TEST(GaitStyle, set_for_good_it_is_the_same_at_every_speed_and_turn) {
+    const HarmonicGait plain = fitted_gait("human");
+    const StyleBody body = make_style_body(plain);
+    std::vector<float> expected(static_cast<std::size_t>(value_count(plain))), values(expected.size());
+    for (const Personality& personality : bundled_personalities()) {
+        const HarmonicGait styled = with_style(plain, personality.style);
+        EXPECT_EQ(problem(styled), "");
+        float largest = 0, change = 0;
+        for (const float speed : {0.4f, 1.4f, 2.3f, 4.0f})
+            for (const float turn : {0.0f, 60.0f, -90.0f}) {
+                values_at(plain, speed, turn, expected);
+                std::vector<float> before = expected;
+                apply_style(plain, body, personality.style, expected);
+                values_at(styled, speed, turn, values);
+                // Stances that are as long or short as they may be are bounded before the sliders, or after them.
+                for (const std::span<float> all : {std::span(before), std::span(expected), std::span(values)})
+                    for (float& lift : all.last(2)) lift = std::clamp(lift, 0.33f, 0.75f);
+                for (std::size_t i = 0; i < values.size(); ++i) {
+                    largest = std::max(largest, std::fabs(values[i] - expected[i]));
+                    change = std::max(change, std::fabs(values[i] - before[i]));
+                }
+            }
+        EXPECT_LT(largest, 1e-4f) << personality.name;
+        EXPECT_EQ(change > 0.05f, personality.name != "neutral") << personality.name;
+    }
+    EXPECT_EQ(with_style(plain, {}).coefficients, plain.coefficients);
+}
+
 TEST(GaitStyle, a_slope_is_followed_by_root_and_feet) {
     const HarmonicGait walk = fitted_gait("walk");
     for (const float slope : {-20.0f, -8.0f, 8.0f, 20.0f}) {
