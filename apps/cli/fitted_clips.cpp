@@ -65,7 +65,7 @@ const NamedGait* named_of(const std::string& gait) {
 
 HarmonicGait read_fitted(const std::string& name) {
     const NamedGait* named = named_of(name);
-    HarmonicGait gait = named ? fitted_gait(name) : gait_from_json(read_file(name), name);
+    HarmonicGait gait = std::filesystem::exists(name) ? gait_from_json(read_file(name), name) : fitted_gait(name);
     if (named) gait.name = named->name;
     return gait;
 }
@@ -104,7 +104,8 @@ LoadedClip as_clip(AnalyzedClip baked) {
 }
 
 bool is_fitted(const std::string& gait) {
-    return std::filesystem::path(gait).extension() == ".json" || find_fitted_gait(gait) != nullptr;
+    return std::filesystem::path(gait).extension() == ".json" || find_fitted_gait(gait) != nullptr ||
+           !fitted_gait_text(gait).empty();
 }
 
 GaitStyle fitted_style(const std::string& personality, std::span<const std::string> sliders,
