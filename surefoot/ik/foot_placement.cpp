@@ -12,8 +12,9 @@ namespace surefoot {
 namespace {
 
 constexpr double k_check_interval = 1.0 / 15;  // [s] how often a coming foothold is looked at again
-constexpr float k_moved = 0.006f;              // [m] by which steering must have moved it to plan anew
-constexpr float k_too_late = 0.06f;            // [s] before a strike nothing is planned anew
+constexpr double k_landing = 0.2;  // [s] before a strike it is looked at in every frame: a stop cannot wait any longer
+constexpr float k_moved = 0.006f;  // [m] by which steering must have moved it to plan anew
+constexpr float k_too_late = 0.06f;     // [s] before a strike nothing is planned anew
 constexpr float k_fade_stiffness = 20;  // [1/s] of the spring on the weight: nine tenths within a fifth of a second
 constexpr float k_faded = 2e-3f;        // as good as there: half a millimetre of a foot 25 cm off
 constexpr float k_flat = 0.035f, k_most_drift = 0.1f;  // of the leg's length
@@ -54,6 +55,12 @@ bool steered_away(const FootRig& rig, const FootPlacementState& state, const Leg
         if (planar_length((p.heel + p.ball) * 0.5f - foot.foreseen) > k_moved) return true;
     }
     return false;
+}
+
+bool lands_soon(const FootPlacementState& state) noexcept {
+    return std::ranges::any_of(state.feet, [&](const FootState& foot) {
+        return is_swinging(foot, state.clock) && foot.strike - state.clock < k_landing;
+    });
 }
 
 /// All but how much it applies.
@@ -140,7 +147,7 @@ void place_planned(const FootRig& rig, FootPlacementState& state, const FootInpu
                 plan = true;
             }
         plan |= state.clock >= state.next_plan;
-        if (!plan && state.clock >= state.next_check) {
+        if (!plan && (state.clock >= state.next_check || lands_soon(state))) {
             plan = steered_away(rig, state, preview);
             state.next_check = state.clock + k_check_interval;
         }

@@ -18,8 +18,10 @@ constexpr float k_no_need = -1e3f;       // [m]
 constexpr float k_overshoot = 0.16f;     // [m] at most
 constexpr int k_most_given_up = 7;       // samples
 constexpr float k_low = 0.015f;          // [m] a hump this low is good enough: no shift is tried
-constexpr std::array k_shifts{-0.08f, 0.0f, 0.08f};  // [m] that are tried, early and late
-constexpr float k_shift_worth = 0.9f;                // of the cost without: smaller gains are left alone
+// [m] that are tried early and late in a swing; a foot that comes down beside a nose has to keep well ahead of it.
+constexpr std::array k_early_shifts{-0.08f, 0.0f, 0.08f};
+constexpr std::array k_late_shifts{-0.08f, 0.0f, 0.08f, 0.16f};
+constexpr float k_shift_worth = 0.9f;  // of the cost without: smaller gains are left alone
 
 /// Of a step where the clip takes none.
 float step_height(const FootState& foot, double clock) noexcept {
@@ -139,8 +141,8 @@ void Clearance::choose_shifts() noexcept {
     const float without = try_shift(0, 0);
     if (highest_need_ < k_low) return;
     float least = without * k_shift_worth, best_early = 0, best_late = 0;
-    for (const float early : k_shifts)
-        for (const float late : k_shifts) {
+    for (const float early : k_early_shifts)
+        for (const float late : k_late_shifts) {
             if (early == 0 && late == 0) continue;
             const float cost = try_shift(early, late);
             if (cost < least) least = cost, best_early = early, best_late = late;

@@ -212,6 +212,16 @@ TEST(Pace, stopping_and_starting_on_stairs_feet_stand_on_the_treads_and_no_foot_
     }
 }
 
+TEST(Pace, where_steering_stops_and_turns_on_stairs_without_notice_heels_keep_out_of_risers) {
+    for (const char* name : {"stairs_up", "stairs_down"})
+        for (const bool reverse : {false, true}) {
+            const Course stairs = make_course(name, 15, reverse);
+            const auto walker = make_character_walker(character(), {}, walk_path("turns", 30));
+            const WalkMetrics ours = compare_modes(*walker, *stairs.ground, 1.4f, 30).metrics[2];
+            EXPECT_LT(ours.penetration_max_cm, 6) << name << reverse;  // 7.5 where it is noticed late
+        }
+}
+
 TEST(Pace, ground_that_bears_long_steps_holds_nobody_back) {
     for (const char* name :
          {"flat", "hills", "slope_up", "slope_down", "cross_slope", "ledge", "rubble", "curb_oblique"})
