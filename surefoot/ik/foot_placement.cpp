@@ -58,7 +58,7 @@ bool steered_away(const FootRig& rig, const FootPlacementState& state, const Leg
 }
 
 bool lands_soon(const FootPlacementState& state) noexcept {
-    return std::ranges::any_of(state.feet, [&](const FootState& foot) {
+    return std::any_of(state.feet.begin(), state.feet.end(), [&](const FootState& foot) {
         return is_swinging(foot, state.clock) && foot.strike - state.clock < k_landing;
     });
 }

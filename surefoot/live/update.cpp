@@ -141,7 +141,8 @@ class FootStepper {
 bool is_settled(const LiveState& state) noexcept {
     const auto arrived = [](const Glide& glide) { return glide.arrived(); };
     return state.speed.arrived() && state.turn.arrived() && state.posture_speed.arrived() &&
-           state.posture_turn.arrived() && state.standing.arrived() && std::ranges::all_of(state.weight, arrived);
+           state.posture_turn.arrived() && state.standing.arrived() &&
+           std::all_of(state.weight.begin(), state.weight.end(), arrived);
 }
 
 /// `now` is what it does before the step, and then after it.
