@@ -104,8 +104,7 @@ LoadedClip as_clip(AnalyzedClip baked) {
 }
 
 bool is_fitted(const std::string& gait) {
-    return std::filesystem::path(gait).extension() == ".json" || find_fitted_gait(gait) != nullptr ||
-           !fitted_gait_text(gait).empty();
+    return std::filesystem::path(gait).extension() == ".json" || has_fitted_gait(gait);
 }
 
 GaitStyle fitted_style(const std::string& personality, std::span<const std::string> sliders,

@@ -38,15 +38,13 @@ HarmonicGait fit_expressions(const std::string& name) {
 HarmonicGait read_any(const std::string& name) {
     if (std::filesystem::exists(name))
         return has_extension(name, ".gait") ? fit_expressions(name) : gait_from_json(read_file(name), name);
-    return find_fitted_gait(name) != nullptr || !fitted_gait_text(name).empty() ? fitted_gait(name)
-                                                                                : fit_expressions(name);
+    return has_fitted_gait(name) ? fitted_gait(name) : fit_expressions(name);
 }
 
 }  // namespace
 
 bool is_live_gait(const std::string& name) {
-    if (!std::filesystem::exists(name))
-        return find_fitted_gait(name) != nullptr || !fitted_gait_text(name).empty() || !bundled_gait(name).empty();
+    if (!std::filesystem::exists(name)) return has_fitted_gait(name) || !bundled_gait(name).empty();
     return has_extension(name, ".gait") || (has_extension(name, ".json") && is_gait_json(read_file(name)));
 }
 

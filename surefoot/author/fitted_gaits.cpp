@@ -34,6 +34,10 @@ const NamedGait* find_fitted_gait(std::string_view name) noexcept {
     return found == k_gaits.end() ? nullptr : &*found;
 }
 
+bool has_fitted_gait(std::string_view name) noexcept {
+    return find_fitted_gait(name) != nullptr || !fitted_gait_text(name).empty();
+}
+
 HarmonicGait fitted_gait(std::string_view name) {
     const NamedGait* named = find_fitted_gait(name);
     const std::string file = named ? named->file : std::string(name);

@@ -26,6 +26,9 @@ std::span<const NamedGait> fitted_gaits() noexcept;
 /// Null where there is none of that name.
 const NamedGait* find_fitted_gait(std::string_view name) noexcept;
 
+/// Whether `fitted_gait` knows that name.
+bool has_fitted_gait(std::string_view name) noexcept;
+
 /// The gait of that name or file. Throws Error where there is none; reading costs a few milliseconds.
 HarmonicGait fitted_gait(std::string_view name);
 
