@@ -115,10 +115,16 @@ export const openDefault = () => stage(engine.call('openDefault'));
 /** Who is to be on the stage from now on, on the course that is shown. */
 export const openPack = (bytes: Uint8Array) => stage(engine.call('openPack', bytes), shown);
 
+/** Kept at once, so that a reload finds it, and taken back where it cannot be walked. */
 export async function setCourse(name: string, grade: number): Promise<void> {
-  if (!(await showCourse(name, grade))) return;
-  course.value = name;
-  gradeDeg.value = grade;
+  const before = { name: course.value, grade: gradeDeg.value };
+  const keep = (chosen: typeof before) => batch(() => {
+    course.value = chosen.name;
+    gradeDeg.value = chosen.grade;
+  });
+  keep({ name, grade });
+  const isStillWanted = () => course.value === name && gradeDeg.value === grade;
+  if (!(await showCourse(name, grade)) && isStillWanted()) keep(before);
 }
 
 let shown = '';
