@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include <surefoot/clip/kernels.h>
+#include <surefoot/clip/sample.h>
 #include <surefoot/crowd/crowd.h>
 
 #include <algorithm>
@@ -179,7 +179,7 @@ BENCHMARK(calibrate_writes);
 }  // namespace surefoot::bench
 
 int main(int argc, char** argv) {
-    benchmark::AddCustomContext("kernels", surefoot::clip_kernels().name);
+    benchmark::AddCustomContext("kernels", surefoot::kernels_name());
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     benchmark::RunSpecifiedBenchmarks();

@@ -6,7 +6,7 @@
 
 #include <surefoot/bake/character.h>
 #include <surefoot/base/error.h>
-#include <surefoot/clip/kernels.h>
+#include <surefoot/clip/sample.h>
 #include <surefoot/course/placed_walker.h>
 #include <surefoot/crowd/crowd.h>
 #include <surefoot/ground/height_field.h>
@@ -175,7 +175,7 @@ std::vector<Row> measured(const Character& character, const Options& options) {
 }
 
 Json report_json(const Character& character, const std::vector<Row>& rows) {
-    Json report{{"kernels", clip_kernels().name},
+    Json report{{"kernels", kernels_name()},
                 {"joints", character.skeleton->joint_count()},
                 {"clips", character.graph.clips.size()},
                 {"state_bytes", sizeof(LocomotionState)},
@@ -193,7 +193,7 @@ std::string report_text(const Character& character, const std::vector<Row>& rows
     std::string text = fmt::format(
         "{} joints, {} clips, kernels for {}; {} bytes of state a character, and {} where feet are placed\n\n"
         "{:<44} {:>9} {:>9} {:>9}\n",
-        character.skeleton->joint_count(), character.graph.clips.size(), clip_kernels().name, sizeof(LocomotionState),
+        character.skeleton->joint_count(), character.graph.clips.size(), kernels_name(), sizeof(LocomotionState),
         sizeof(FootPlacementState), "processor time, us a character and frame", "median", "least", "most");
     for (const Row& row : rows) {
         if (row.name == k_multiply_adds) text += "\nthe machine, us each\n";

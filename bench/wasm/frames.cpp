@@ -53,7 +53,7 @@ extern "C" __attribute__((export_name("play"))) float play(int characters, int f
     return surefoot::bench::play(characters, frames);
 }
 #else
-#include <surefoot/clip/kernels.h>
+#include <surefoot/clip/sample.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
     const std::clock_t began = std::clock();
     const float sum = surefoot::bench::play(characters, frames);
     const double seconds = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
-    std::printf("{\"kernels\": \"%s\", \"us\": %.4f, \"warm\": %.9g, \"sum\": %.9g}\n", surefoot::clip_kernels().name,
+    std::printf("{\"kernels\": \"%s\", \"us\": %.4f, \"warm\": %.9g, \"sum\": %.9g}\n", surefoot::kernels_name(),
                 seconds * 1e6 / characters / frames, static_cast<double>(warm), static_cast<double>(sum));
 }
 #endif

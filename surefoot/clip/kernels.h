@@ -3,6 +3,8 @@
 // another instruction set shares no inline function with the rest of the program (math/lanes.h says why that matters).
 // Private to clip/; the public face is sample.h.
 
+#include <surefoot/math/kernel_builds.h>
+
 #include <cstddef>
 #include <cstdint>
 
@@ -34,15 +36,6 @@ struct ClipKernels {
                            float* scratch);
 };
 
-extern const ClipKernels k_scalar_kernels;
-extern const ClipKernels k_baseline_kernels;  ///< what every machine of the build's target runs
-
-#if defined(SUREFOOT_HAS_KERNELS_X86_64)
-extern const ClipKernels k_v3_kernels;  ///< x86-64 with AVX2
-extern const ClipKernels k_v4_kernels;  ///< and with AVX-512 (F, BW, CD, DQ, VL)
-#endif
-
-/// The fastest this machine runs; chosen once.
-const ClipKernels& clip_kernels() noexcept;
+SUREFOOT_DECLARE_KERNELS(ClipKernels);
 
 }  // namespace surefoot

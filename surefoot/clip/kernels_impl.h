@@ -164,5 +164,10 @@ void local_to_model(const std::int16_t* parents, int joints, const float* const*
     }
 }
 
+template <class T>
+constexpr ClipKernels kernels_named(const char* name) {
+    return {name, blend_rotations<T>, add_turns<T>, local_to_model<T>};
+}
+
 }  // namespace SUREFOOT_KERNELS
 }  // namespace surefoot

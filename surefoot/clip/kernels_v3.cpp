@@ -5,6 +5,7 @@
 
 namespace surefoot {
 
-const ClipKernels k_v3_kernels{"x86-64-v3", blend_rotations<Vector>, add_turns<Vector>, local_to_model<Vector>};
+template <>
+const ClipKernels KernelBuilds<ClipKernels>::v3 = kernels_named<Vector>("x86-64-v3");
 
 }  // namespace surefoot

@@ -5,6 +5,7 @@
 
 namespace surefoot {
 
-const ClipKernels k_v4_kernels{"x86-64-v4", blend_rotations<Vector>, add_turns<Vector>, local_to_model<Vector>};
+template <>
+const ClipKernels KernelBuilds<ClipKernels>::v4 = kernels_named<Vector>("x86-64-v4");
 
 }  // namespace surefoot

@@ -140,20 +140,22 @@ RootFrame repeated(RootFrame a, int n) noexcept {
 
 void sample_pose(const Skeleton& skeleton, std::span<const PackedClip> clips, std::span<const Leaf> leaves,
                  std::span<Transform> locals) noexcept {
-    sample_with(clip_kernels(), skeleton, clips, leaves, locals);
+    sample_with(KernelBuilds<ClipKernels>::fastest(), skeleton, clips, leaves, locals);
 }
 void sample_pose_scalar(const Skeleton& skeleton, std::span<const PackedClip> clips, std::span<const Leaf> leaves,
                         std::span<Transform> locals) noexcept {
-    sample_with(k_scalar_kernels, skeleton, clips, leaves, locals);
+    sample_with(KernelBuilds<ClipKernels>::scalar, skeleton, clips, leaves, locals);
 }
+
+const char* kernels_name() noexcept { return KernelBuilds<ClipKernels>::fastest().name; }
 
 void local_to_model_8(const Skeleton& skeleton, const Transform* const (&locals)[k_lanes],
                       Matrix34* const (&models)[k_lanes], float* scratch) noexcept {
-    models_with(clip_kernels(), skeleton, locals, models, scratch);
+    models_with(KernelBuilds<ClipKernels>::fastest(), skeleton, locals, models, scratch);
 }
 void local_to_model_8_scalar(const Skeleton& skeleton, const Transform* const (&locals)[k_lanes],
                              Matrix34* const (&models)[k_lanes], float* scratch) noexcept {
-    models_with(k_scalar_kernels, skeleton, locals, models, scratch);
+    models_with(KernelBuilds<ClipKernels>::scalar, skeleton, locals, models, scratch);
 }
 
 RootFrame integrate(Vec3 velocity, float turn_rate, float seconds) noexcept {

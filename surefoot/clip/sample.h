@@ -30,6 +30,10 @@ void sample_pose(const Skeleton& skeleton, std::span<const PackedClip> clips, st
 void sample_pose_scalar(const Skeleton& skeleton, std::span<const PackedClip> clips, std::span<const Leaf> leaves,
                         std::span<Transform> locals) noexcept;
 
+/// Which build of the kernels this machine runs: "baseline" (what the library was built for), "x86-64-v3" or
+/// "x86-64-v4".
+const char* kernels_name() noexcept;
+
 /// Eight characters of one skeleton at once, lane = character: local poses to 3x4 matrices in model space. Each of the
 /// eight pointers leads to joint_count() elements; idle lanes may repeat a character's input and need an output of
 /// their own. `scratch` holds model_scratch_floats(joint count) floats, aligned to 64 bytes.

@@ -53,7 +53,7 @@ void CrowdFeetStep::add(const FootPlans& plans, CrowdFeet& feet, RootFrame& root
 }
 
 std::size_t CrowdFeetStep::ask(std::span<GroundQuery> queries) noexcept {
-    ground_kernels().ask(lanes_);
+    KernelBuilds<GroundKernels>::fastest().ask(lanes_);
     std::size_t count = 0;
     for (std::size_t lane = 0; lane < lane_of(static_cast<std::size_t>(legs_.count()), 0); ++lane)
         if (lanes_.is_asking[lane] != 0)
@@ -104,7 +104,7 @@ void CrowdFeetStep::follow_ground() noexcept {
 
 void CrowdFeetStep::place(std::span<const GroundHit> hits) noexcept {
     take(hits);
-    ground_kernels().lay(lanes_, settings_.steepest);
+    KernelBuilds<GroundKernels>::fastest().lay(lanes_, settings_.steepest);
     legs_.run_forward();
     follow_ground();
     legs_.reach();

@@ -2,6 +2,8 @@
 // The kernels of this room, as raw as they are (clip/kernels.h says why): feet on the ground, lanes are the left and
 // right feet of four characters in turns. Private to crowd/. Every kernel has a scalar twin with the same bits.
 
+#include <surefoot/math/kernel_builds.h>
+
 #include <cstdint>
 
 namespace surefoot {
@@ -47,15 +49,6 @@ struct GroundKernels {
     void (*lay)(GroundLanes& lanes, float steepest);
 };
 
-extern const GroundKernels k_scalar_ground_kernels;
-extern const GroundKernels k_baseline_ground_kernels;  ///< what every machine of the build's target runs
-
-#if defined(SUREFOOT_HAS_KERNELS_X86_64)
-extern const GroundKernels k_v3_ground_kernels;  ///< x86-64 with AVX2
-extern const GroundKernels k_v4_ground_kernels;  ///< and with AVX-512 (F, BW, CD, DQ, VL)
-#endif
-
-/// The fastest this machine runs; chosen once.
-const GroundKernels& ground_kernels() noexcept;
+SUREFOOT_DECLARE_KERNELS(GroundKernels);
 
 }  // namespace surefoot

@@ -164,7 +164,7 @@ void lay_feet(GroundLanes& lanes, float steepest) {
 }
 
 template <class T>
-constexpr GroundKernels ground_kernels_named(const char* name) {
+constexpr GroundKernels kernels_named(const char* name) {
     return {name, ask_ground<T>, lay_feet<T>};
 }
 

@@ -5,6 +5,7 @@
 
 namespace surefoot {
 
-const GroundKernels k_v3_ground_kernels = ground_kernels_named<Vector>("x86-64-v3");
+template <>
+const GroundKernels KernelBuilds<GroundKernels>::v3 = kernels_named<Vector>("x86-64-v3");
 
 }  // namespace surefoot

@@ -5,6 +5,7 @@
 
 namespace surefoot {
 
-const GroundKernels k_v4_ground_kernels = ground_kernels_named<Vector>("x86-64-v4");
+template <>
+const GroundKernels KernelBuilds<GroundKernels>::v4 = kernels_named<Vector>("x86-64-v4");
 
 }  // namespace surefoot

@@ -53,7 +53,7 @@ void FootMeans::answer_all() noexcept {
             leaf.from[lane] = leaf.to[lane] = k_idle;
             leaf.share[lane] = leaf.weight[lane] = leaf.stepping[lane] = leaf.say[lane] = 0;
         }
-    foot_kernels().mean_feet(leaves_, most_, feet_);
+    KernelBuilds<FootKernels>::fastest().mean_feet(leaves_, most_, feet_);
     for (int lane = 0; lane < used; ++lane) {
         const auto& f = feet_.foot;
         const auto& t = feet_.toes;
@@ -81,12 +81,12 @@ void LegLanes::repeat_first() noexcept {
 
 void LegLanes::run_forward() noexcept {
     for (int lane = 2 * count_; lane < k_foot_lanes; ++lane) locals_[lane] = locals_[0];
-    foot_kernels().run_forward(chains_, locals_, joints_, models_);
+    KernelBuilds<FootKernels>::fastest().run_forward(chains_, locals_, joints_, models_);
 }
 
 void LegLanes::sink_to_reach(float share, float (&sinks)[k_foot_lanes]) noexcept {
     repeat_first();
-    foot_kernels().sink(chains_, models_, goals_, share, sinks);
+    KernelBuilds<FootKernels>::fastest().sink(chains_, models_, goals_, share, sinks);
 }
 
 void LegLanes::set_goals(int pose, const std::array<FootGoal, 2>& feet) noexcept {
@@ -103,7 +103,7 @@ void LegLanes::set_goals(int pose, const std::array<FootGoal, 2>& feet) noexcept
 
 void LegLanes::reach() noexcept {
     repeat_first();
-    foot_kernels().reach(chains_, models_, goals_, locals_);
+    KernelBuilds<FootKernels>::fastest().reach(chains_, models_, goals_, locals_);
 }
 
 }  // namespace surefoot

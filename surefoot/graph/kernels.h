@@ -3,6 +3,8 @@
 // characters, left and right in turns. Private to graph/; the face is foot_lanes.h. Every kernel has a scalar twin with
 // the same bits.
 
+#include <surefoot/math/kernel_builds.h>
+
 #include <cstdint>
 
 namespace surefoot {
@@ -58,15 +60,6 @@ struct FootKernels {
     void (*reach)(const LegChains& chains, const float* models, const LegGoalLanes& goals, float* const* locals);
 };
 
-extern const FootKernels k_scalar_foot_kernels;
-extern const FootKernels k_baseline_foot_kernels;  ///< what every machine of the build's target runs
-
-#if defined(SUREFOOT_HAS_KERNELS_X86_64)
-extern const FootKernels k_v3_foot_kernels;  ///< x86-64 with AVX2
-extern const FootKernels k_v4_foot_kernels;  ///< and with AVX-512 (F, BW, CD, DQ, VL)
-#endif
-
-/// The fastest this machine runs; chosen once.
-const FootKernels& foot_kernels() noexcept;
+SUREFOOT_DECLARE_KERNELS(FootKernels);
 
 }  // namespace surefoot

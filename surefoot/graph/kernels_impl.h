@@ -232,7 +232,7 @@ void reach(const LegChains& chains, const float* models, const LegGoalLanes& goa
 }
 
 template <class T>
-constexpr FootKernels foot_kernels_named(const char* name) {
+constexpr FootKernels kernels_named(const char* name) {
     return {name, mean_feet<T>, run_forward<T>, sink<T>, reach<T>};
 }
 

@@ -5,6 +5,7 @@
 
 namespace surefoot {
 
-const FootKernels k_v3_foot_kernels = foot_kernels_named<Vector>("x86-64-v3");
+template <>
+const FootKernels KernelBuilds<FootKernels>::v3 = kernels_named<Vector>("x86-64-v3");
 
 }  // namespace surefoot

@@ -5,6 +5,7 @@
 
 namespace surefoot {
 
-const FootKernels k_v4_foot_kernels = foot_kernels_named<Vector>("x86-64-v4");
+template <>
+const FootKernels KernelBuilds<FootKernels>::v4 = kernels_named<Vector>("x86-64-v4");
 
 }  // namespace surefoot

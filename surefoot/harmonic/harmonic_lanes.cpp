@@ -15,7 +15,7 @@ std::size_t size(int i) noexcept { return static_cast<std::size_t>(i); }
 
 HarmonicLanes::HarmonicLanes(const HarmonicGait& gait, std::span<const std::uint8_t> limb)
     : gait_(&gait),
-      kernels_(&harmonic_kernels()),
+      kernels_(&KernelBuilds<HarmonicKernels>::fastest()),
       length_(1 + 2 * gait.harmonics),
       foot_length_(1 + 2 * gait.foot_harmonics) {
     std::array<std::vector<std::int16_t>, 8> by_column;
@@ -133,6 +133,6 @@ FootPrint HarmonicLanes::middle_print(std::span<const float> values, std::size_t
     return print_of(values, middle_.data(), side);
 }
 
-void HarmonicLanes::use_scalar_twin() noexcept { kernels_ = &k_scalar_harmonic_kernels; }
+void HarmonicLanes::use_kernels(const HarmonicKernels& kernels) noexcept { kernels_ = &kernels; }
 
 }  // namespace surefoot

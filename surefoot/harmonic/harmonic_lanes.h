@@ -43,8 +43,8 @@ class HarmonicLanes {
     /// A foot in the middle of its stance.
     FootPrint middle_print(std::span<const float> values, std::size_t side) const noexcept;
 
-    /// For tests: the scalar twin.
-    void use_scalar_twin() noexcept;
+    /// For tests: another build than the fastest.
+    void use_kernels(const HarmonicKernels& kernels) noexcept;
 
   private:
     struct Block {

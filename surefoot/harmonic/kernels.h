@@ -3,6 +3,8 @@
 // harmonic_lanes.h. Eight lanes are eight joints, eight phases or eight series; every kernel has a scalar twin with the
 // same bits.
 
+#include <surefoot/math/kernel_builds.h>
+
 #include <cstddef>
 #include <cstdint>
 
@@ -25,15 +27,6 @@ struct HarmonicKernels {
                           const std::int16_t* index, float* out);
 };
 
-extern const HarmonicKernels k_scalar_harmonic_kernels;
-extern const HarmonicKernels k_baseline_harmonic_kernels;  ///< what every machine of the build's target runs
-
-#if defined(SUREFOOT_HAS_KERNELS_X86_64)
-extern const HarmonicKernels k_v3_harmonic_kernels;  ///< x86-64 with AVX2
-extern const HarmonicKernels k_v4_harmonic_kernels;  ///< and with AVX-512 (F, BW, CD, DQ, VL)
-#endif
-
-/// The fastest this machine runs; chosen once.
-const HarmonicKernels& harmonic_kernels() noexcept;
+SUREFOOT_DECLARE_KERNELS(HarmonicKernels);
 
 }  // namespace surefoot

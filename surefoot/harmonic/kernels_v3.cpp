@@ -5,6 +5,7 @@
 
 namespace surefoot {
 
-const HarmonicKernels k_v3_harmonic_kernels = kernels_named<Vector>("x86-64-v3");
+template <>
+const HarmonicKernels KernelBuilds<HarmonicKernels>::v3 = kernels_named<Vector>("x86-64-v3");
 
 }  // namespace surefoot

@@ -5,6 +5,7 @@
 
 namespace surefoot {
 
-const HarmonicKernels k_v4_harmonic_kernels = kernels_named<Vector>("x86-64-v4");
+template <>
+const HarmonicKernels KernelBuilds<HarmonicKernels>::v4 = kernels_named<Vector>("x86-64-v4");
 
 }  // namespace surefoot

@@ -1,26 +1,18 @@
 #include <surefoot/clip/kernels.h>
 
 #include <surefoot/base/random.h>
-#include <surefoot/math/processor.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
+#include <string>
 #include <vector>
 
 namespace surefoot {
 namespace {
 
-/// Every build of the kernels that this machine can run.
-std::vector<const ClipKernels*> builds() {
-    std::vector<const ClipKernels*> list{&k_baseline_kernels};
-#if defined(SUREFOOT_HAS_KERNELS_X86_64)
-    if (processor_level() >= ProcessorLevel::v3) list.push_back(&k_v3_kernels);
-    if (processor_level() >= ProcessorLevel::v4) list.push_back(&k_v4_kernels);
-#endif
-    return list;
-}
+using Builds = KernelBuilds<ClipKernels>;
 
 TEST(ClipKernels, every_build_blends_to_the_scalar_twins_bits) {
     Random random(1);
@@ -37,8 +29,8 @@ TEST(ClipKernels, every_build_blends_to_the_scalar_twins_bits) {
                              k_whole_share - share, share, random.unit() * (i == 3 ? -0.1f : 1.0f) / k_whole_share});
         }
         std::vector<float> wanted(static_cast<std::size_t>(joints) * 7, -1.0f);
-        k_scalar_kernels.blend_rotations(pairs.data(), 4, nullptr, joints, wanted.data(), 7);
-        for (const ClipKernels* kernels : builds()) {
+        Builds::scalar.blend_rotations(pairs.data(), 4, nullptr, joints, wanted.data(), 7);
+        for (const ClipKernels* kernels : Builds::here()) {
             std::vector<float> got(wanted.size(), -1.0f);
             kernels->blend_rotations(pairs.data(), 4, nullptr, joints, got.data(), 7);
             EXPECT_EQ(std::memcmp(got.data(), wanted.data(), got.size() * sizeof(float)), 0)
@@ -63,8 +55,8 @@ TEST(ClipKernels, every_build_adds_turns_and_blends_them_to_the_scalar_twins_bit
             kernels.blend_rotations(&pair, 1, added.data(), joints, out.data(), 7);
             return out;
         };
-        const std::vector<float> wanted = blended(k_scalar_kernels);
-        for (const ClipKernels* kernels : builds()) {
+        const std::vector<float> wanted = blended(Builds::scalar);
+        for (const ClipKernels* kernels : Builds::here()) {
             const std::vector<float> got = blended(*kernels);
             EXPECT_EQ(std::memcmp(got.data(), wanted.data(), got.size() * sizeof(float)), 0)
                 << kernels->name << ", " << joints << " joints";
@@ -79,9 +71,9 @@ TEST(ClipKernels, keys_at_the_ends_of_their_range_blend_without_overflow) {
         for (const auto* keys : {&low, &high}) {
             const KeyPair pair{keys->data(), keys->data(), nullptr, k_whole_share - share, share, 1.0f / k_whole_share};
             float wanted[8 * 7] = {};
-            k_scalar_kernels.blend_rotations(&pair, 1, nullptr, 8, wanted, 7);
+            Builds::scalar.blend_rotations(&pair, 1, nullptr, 8, wanted, 7);
             EXPECT_EQ(wanted[0], keys == &low ? -0.5f : 0.5f);
-            for (const ClipKernels* kernels : builds()) {
+            for (const ClipKernels* kernels : Builds::here()) {
                 float got[8 * 7] = {};
                 kernels->blend_rotations(&pair, 1, nullptr, 8, got, 7);
                 EXPECT_EQ(std::memcmp(got, wanted, sizeof got), 0) << kernels->name << ", share " << share;
@@ -109,7 +101,7 @@ TEST(ClipKernels, shares_of_15_bits_cost_less_than_keys_of_16) {
         const auto share = static_cast<std::int32_t>(wanted_share * k_whole_share + 0.5f);
         const KeyPair pair{keys[0], keys[1], nullptr, k_whole_share - share, share, 1.0f / k_whole_share};
         float got[8 * 7];
-        clip_kernels().blend_rotations(&pair, 1, nullptr, 8, got, 7);
+        Builds::fastest().blend_rotations(&pair, 1, nullptr, 8, got, 7);
         double wanted[4], square = 0;
         for (int k = 0; k < 4; ++k) {
             wanted[k] = keys[0][8 * k] + static_cast<double>(wanted_share) * (keys[1][8 * k] - keys[0][8 * k]);
@@ -141,14 +133,20 @@ TEST(ClipKernels, every_build_makes_the_scalar_twins_matrices) {
         kernels.local_to_model(parents.data(), k_joints, in, out, scratch.data());
         return models;
     };
-    const std::vector<float> wanted = run(k_scalar_kernels);
-    for (const ClipKernels* kernels : builds())
+    const std::vector<float> wanted = run(Builds::scalar);
+    for (const ClipKernels* kernels : Builds::here())
         EXPECT_EQ(std::memcmp(run(*kernels).data(), wanted.data(), wanted.size() * sizeof(float)), 0) << kernels->name;
 }
 
-TEST(ClipKernels, the_chosen_build_runs_here) {
-    const auto list = builds();
-    EXPECT_EQ(&clip_kernels(), list.back());
+TEST(ClipKernels, the_builds_are_those_of_this_machines_level_and_the_highest_is_chosen) {
+    std::vector<std::string> wanted{"baseline"}, got;
+#if defined(SUREFOOT_HAS_KERNELS_X86_64)
+    if (processor_level() >= ProcessorLevel::v3) wanted.emplace_back("x86-64-v3");
+    if (processor_level() >= ProcessorLevel::v4) wanted.emplace_back("x86-64-v4");
+#endif
+    for (const ClipKernels* kernels : Builds::here()) got.emplace_back(kernels->name);
+    EXPECT_EQ(got, wanted);
+    EXPECT_EQ(Builds::fastest().name, wanted.back());
 }
 
 }  // namespace

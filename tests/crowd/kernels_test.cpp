@@ -1,7 +1,6 @@
 #include <surefoot/crowd/kernels.h>
 
 #include <surefoot/base/random.h>
-#include <surefoot/math/processor.h>
 
 #include <gtest/gtest.h>
 
@@ -11,15 +10,7 @@
 namespace surefoot {
 namespace {
 
-/// Every build of the kernels that this machine can run.
-std::vector<const GroundKernels*> builds() {
-    std::vector<const GroundKernels*> list{&k_baseline_ground_kernels};
-#if defined(SUREFOOT_HAS_KERNELS_X86_64)
-    if (processor_level() >= ProcessorLevel::v3) list.push_back(&k_v3_ground_kernels);
-    if (processor_level() >= ProcessorLevel::v4) list.push_back(&k_v4_ground_kernels);
-#endif
-    return list;
-}
+using Builds = KernelBuilds<GroundKernels>;
 
 /// Feet that stand, swing, are new, are dragged and find no ground, side by side.
 GroundLanes laid(const GroundKernels& kernels, std::uint64_t seed) {
@@ -52,8 +43,8 @@ GroundLanes laid(const GroundKernels& kernels, std::uint64_t seed) {
 
 TEST(GroundKernels, every_build_lays_feet_to_the_scalar_twins_bits) {
     for (std::uint64_t seed = 1; seed < 40; ++seed) {
-        const GroundLanes wanted = laid(k_scalar_ground_kernels, seed);
-        for (const GroundKernels* kernels : builds()) {
+        const GroundLanes wanted = laid(Builds::scalar, seed);
+        for (const GroundKernels* kernels : Builds::here()) {
             const GroundLanes got = laid(*kernels, seed);
             EXPECT_EQ(std::memcmp(&got, &wanted, sizeof got), 0) << kernels->name;
         }

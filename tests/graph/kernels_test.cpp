@@ -3,7 +3,6 @@
 #include <surefoot/base/random.h>
 #include <surefoot/graph/foot_lanes.h>
 #include <surefoot/ik/two_bone.h>
-#include <surefoot/math/processor.h>
 
 #include <gtest/gtest.h>
 
@@ -14,15 +13,7 @@
 namespace surefoot {
 namespace {
 
-/// Every build of the kernels that this machine can run.
-std::vector<const FootKernels*> builds() {
-    std::vector<const FootKernels*> list{&k_baseline_foot_kernels};
-#if defined(SUREFOOT_HAS_KERNELS_X86_64)
-    if (processor_level() >= ProcessorLevel::v3) list.push_back(&k_v3_foot_kernels);
-    if (processor_level() >= ProcessorLevel::v4) list.push_back(&k_v4_foot_kernels);
-#endif
-    return list;
-}
+using Builds = KernelBuilds<FootKernels>;
 
 Quat rotation(Random& random) {
     return normalized(Quat{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)});
@@ -68,8 +59,8 @@ struct Feet {
 TEST(FootKernels, every_build_finds_feet_to_the_scalar_twins_bits) {
     for (std::uint64_t seed = 1; seed < 20; ++seed) {
         Feet wanted(seed);
-        k_scalar_foot_kernels.mean_feet(wanted.leaves, Feet::k_leaves, wanted.feet);
-        for (const FootKernels* kernels : builds()) {
+        Builds::scalar.mean_feet(wanted.leaves, Feet::k_leaves, wanted.feet);
+        for (const FootKernels* kernels : Builds::here()) {
             Feet got(seed);
             kernels->mean_feet(got.leaves, Feet::k_leaves, got.feet);
             EXPECT_EQ(std::memcmp(&got.feet, &wanted.feet, sizeof got.feet), 0) << kernels->name;
@@ -131,8 +122,8 @@ std::vector<Transform> reached(const FootKernels& kernels, std::uint64_t seed) {
 
 TEST(FootKernels, every_build_reaches_to_the_scalar_twins_bits) {
     for (std::uint64_t seed = 1; seed < 20; ++seed) {
-        const std::vector<Transform> wanted = reached(k_scalar_foot_kernels, seed);
-        for (const FootKernels* kernels : builds()) {
+        const std::vector<Transform> wanted = reached(Builds::scalar, seed);
+        for (const FootKernels* kernels : Builds::here()) {
             const std::vector<Transform> got = reached(*kernels, seed);
             EXPECT_EQ(std::memcmp(got.data(), wanted.data(), got.size() * sizeof(Transform)), 0) << kernels->name;
         }

@@ -1,5 +1,6 @@
 #include <surefoot/base/random.h>
 #include <surefoot/harmonic/harmonic_lanes.h>
+#include <surefoot/harmonic/kernels.h>
 #include <tests/support/allocations.h>
 
 #include <gtest/gtest.h>
@@ -63,31 +64,39 @@ TEST(HarmonicLanes, give_what_the_formulas_give) {
     }
 }
 
-TEST(HarmonicLanes, vector_and_scalar_give_the_same_bits_even_of_wild_numbers) {
+/// Both give the same bits, even of wild numbers.
+void expect_twins(const HarmonicLanes& lanes, const HarmonicLanes& twin) {
+    Random random(1);
+    std::vector<float> a(lanes.value_count()), b(a);
+    std::vector<Transform> left(11), right(11);
+    HarmonicLanes::Waves waves{}, other{};
+    for (int i = 0; i < 200; ++i) {
+        const float speed = random.between(0, 5), turn = random.between(-120, 120);
+        std::array<float, 8> phases;
+        for (float& phase : phases) phase = random.between(0, 1);
+        lanes.values_at(speed, turn, a);
+        twin.values_at(speed, turn, b);
+        ASSERT_EQ(a, b);
+        lanes.waves_at(phases, waves);
+        twin.waves_at(phases, other);
+        ASSERT_EQ(waves, other);
+        lanes.joint_pose(a, waves, left);
+        twin.joint_pose(b, other, right);
+        ASSERT_EQ(left, right);
+        for (const Transform& t : left) ASSERT_TRUE(is_finite(t.rotation) && is_finite(t.translation));
+        ASSERT_EQ(lanes.foot_print(a, waves, 1, 3).heel, twin.foot_print(b, other, 1, 3).heel);
+    }
+}
+
+TEST(HarmonicLanes, every_build_gives_the_scalar_twins_bits) {
     for (const float most : {0.05f, 5.0f}) {
         const HarmonicGait gait = random_gait(9, most);
-        const HarmonicLanes lanes(gait, k_limbs);
-        HarmonicLanes twin(gait, k_limbs);
-        twin.use_scalar_twin();
-        Random random(1);
-        std::vector<float> a(lanes.value_count()), b(a);
-        std::vector<Transform> left(11), right(11);
-        HarmonicLanes::Waves waves{}, other{};
-        for (int i = 0; i < 200; ++i) {
-            const float speed = random.between(0, 5), turn = random.between(-120, 120);
-            std::array<float, 8> phases;
-            for (float& phase : phases) phase = random.between(0, 1);
-            lanes.values_at(speed, turn, a);
-            twin.values_at(speed, turn, b);
-            ASSERT_EQ(a, b);
-            lanes.waves_at(phases, waves);
-            twin.waves_at(phases, other);
-            ASSERT_EQ(waves, other);
-            lanes.joint_pose(a, waves, left);
-            twin.joint_pose(b, other, right);
-            ASSERT_EQ(left, right);
-            for (const Transform& t : left) ASSERT_TRUE(is_finite(t.rotation) && is_finite(t.translation));
-            ASSERT_EQ(lanes.foot_print(a, waves, 1, 3).heel, twin.foot_print(b, other, 1, 3).heel);
+        HarmonicLanes lanes(gait, k_limbs), twin(gait, k_limbs);
+        twin.use_kernels(KernelBuilds<HarmonicKernels>::scalar);
+        for (const HarmonicKernels* kernels : KernelBuilds<HarmonicKernels>::here()) {
+            SCOPED_TRACE(kernels->name);
+            lanes.use_kernels(*kernels);
+            expect_twins(lanes, twin);
         }
     }
 }
