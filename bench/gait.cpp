@@ -5,6 +5,7 @@
 #include <surefoot/author/fitted_gaits.h>
 #include <surefoot/gait_clip/gait_clip.h>
 #include <surefoot/gait_text/gait.h>
+#include <surefoot/harmonic/kernels.h>
 #include <surefoot/live/live.h>
 #include <surefoot/motion/stance.h>
 #include <surefoot/synthetic/biped.h>
@@ -212,7 +213,7 @@ BENCHMARK(live_changing)->Arg(23)->Arg(60);
 void lanes_only(benchmark::State& state) {
     const auto gait = bundled_walk(static_cast<int>(state.range(0)));
     HarmonicLanes lanes(*gait, {});
-    if (state.range(1) != 0) lanes.use_scalar_twin();
+    if (state.range(1) != 0) lanes.use_kernels(KernelBuilds<HarmonicKernels>::scalar);
     std::vector<float> values(lanes.value_count());
     std::vector<Transform> locals(gait->mean.size());
     HarmonicLanes::Waves waves;

@@ -13,6 +13,7 @@ constexpr float k_planted_height = 0.015f;  // [m] above the point's own 3rd per
 constexpr double k_percentile = 0.03;
 constexpr double k_planted_speed = 0.25;  // [m/s]
 constexpr double k_skating_speed = 0.10;  // [m/s]
+constexpr float k_lying_height = 0.01f;   // [m] above the ground
 constexpr double k_skate_height = 0.025;  // [m] Zhang et al. 2018: H
 constexpr double k_cm = 100, k_degrees = 180 / k_pi;
 
@@ -161,6 +162,25 @@ SkateFigures measure_skate(const WalkTrack& walked, const WalkTrack& twin, Frame
     figures.share = static_cast<double>(std::count(skating.begin(), skating.end(), true)) /
                     (figures.standing > 0 ? static_cast<double>(figures.standing) : k_not_measured);
     return figures;
+}
+
+double longest_drag_cm(const WalkTrack& walked, FrameRange range, const std::function<UnderFoot(Vec3)>& ground) {
+    constexpr std::size_t k_heel = 0, k_mid = 1, k_ball = 2;
+    const auto fps = static_cast<double>(walked.fps);
+    double longest = 0;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Velocity v = sole_velocity(walked, side, k_mid);
+        const auto lies = [&](std::size_t frame, std::size_t point) {
+            const Vec3 p = walked.frames[frame].legs[side].sole[point];
+            return p.y - (ground ? ground(p).height : 0) < k_lying_height;
+        };
+        double way = 0;
+        for (std::size_t i = range.first; i < range.end; ++i) {
+            way = lies(i, k_heel) && lies(i, k_ball) ? way + v.level(i) / fps * k_cm : 0;
+            longest = std::max(longest, way);
+        }
+    }
+    return longest;
 }
 
 double knee_angle(const LegTrack& leg) {

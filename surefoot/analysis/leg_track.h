@@ -73,6 +73,11 @@ struct SkateFigures {
 SkateFigures measure_skate(const WalkTrack& walked, const WalkTrack& twin, FrameRange range,
                            const std::function<UnderFoot(Vec3)>& ground = {});
 
+/// The longest way [cm] along level ground that a foot goes while it lies on it, heel and ball within 1 cm of the
+/// ground or in it. Asks neither the twin nor anybody's idea of what is planted: a foot that is dragged is as fast as
+/// one that swings, and still lies.
+double longest_drag_cm(const WalkTrack& walked, FrameRange range, const std::function<UnderFoot(Vec3)>& ground = {});
+
 /// Interior angle of the knee, degrees: 180 is a straight leg.
 double knee_angle(const LegTrack& leg);
 

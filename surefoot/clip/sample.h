@@ -20,6 +20,8 @@ struct Leaf {
     std::int32_t clip = 0;  ///< index into the clips
     float time = 0;         ///< [s] in [0, duration]; outside, the nearest end
     float weight = 0;       ///< relative to the other leaves'; negative where a space extrapolates; the sum is > 0
+
+    friend bool operator==(const Leaf&, const Leaf&) = default;
 };
 
 /// The blended local pose: `locals` receives joint_count() transforms. All clips are of this skeleton; at least one

@@ -38,6 +38,7 @@ constexpr WalkFigure k_figures[] = {
      nullptr},
     {"skate_weighted_cm", "weighted", "cm", 3, 1, [](const Walk& w) { return w.metrics.skate_weighted_cm; }, nullptr,
      nullptr},
+    {"drag_cm", "drag", "cm", 1, 1, [](const Walk& w) { return w.metrics.drag_cm; }, nullptr, nullptr},
     {"penetration_heel_ball_cm", "heel, ball sunk", "cm", 2, 1,
      [](const Walk& w) { return w.metrics.penetration_heel_ball_cm; }, "at most 1.5",
      [](const Walk& w) { return w.metrics.penetration_heel_ball_cm <= 1.5; }},

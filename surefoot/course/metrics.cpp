@@ -134,11 +134,13 @@ void Measurement::contacts() {
             result.sole_angle_worst_deg = std::max(result.sole_angle_worst_deg, angle);
         }
     }
-    const SkateFigures skate = measure_skate(walked_, twin_, {first_, end_}, [&](Vec3 point) {
+    const auto ground = [&](Vec3 point) {
         UnderFoot under;
         under.height = ground_height(ground_, point, &under.normal);
         return under;
-    });
+    };
+    const SkateFigures skate = measure_skate(walked_, twin_, {first_, end_}, ground);
+    result.drag_cm = longest_drag_cm(walked_, {first_, end_}, ground);
     result.planted_samples = skate.planted_samples;
     result.skate_cm_s = skate.mean_cm_s;
     result.skate_level_cm_s = skate.level_cm_s;

@@ -21,6 +21,7 @@ struct WalkMetrics {
     double skate_level_cm_s = 0;   ///< their mean level speed: it counts a heel that peels off a slope as well
     double skate_share = 0;        ///< share of frames in which a planted point moves faster than 10 cm/s
     double skate_weighted_cm = 0;  ///< mean over frames of displacement * (2 - 2^(h/H)), H = 2.5 cm (Zhang et al. 2018)
+    double drag_cm = 0;            ///< longest way that a foot goes while heel and ball lie on the ground
     double penetration_max_cm = 0, penetration_mean_cm = 0;  ///< distance to free space, all frames
     double penetration_heel_ball_cm = 0;                     ///< most of heel and ball
     double penetration_toe_mid_cm = 0;                       ///< most of toe tip and mid-sole

@@ -1,5 +1,5 @@
 #pragma once
-// Many characters of one kind: they share a LocomotionGraph, and each owns a state of 24 bytes, a wish and a root.
+// Many characters of one kind: they share a LocomotionGraph, and each owns a state of 248 bytes, a wish and a root.
 //
 // The caller owns every array, and the threads. A frame is `evaluate` over ranges that cover the crowd, in any order,
 // from any threads, each with a scratch of its own:

@@ -1,94 +1,7 @@
-#include <surefoot/graph/foot_lanes.h>
+#include <surefoot/graph/blended_feet.h>
 #include <surefoot/graph/kernels_impl.h>
-#include <surefoot/graph/locomotion.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace surefoot {
-namespace {
-
-constexpr float k_least_duty = 0.05f, k_most_duty = 0.95f;
-constexpr float k_most_pace = 4;  // times faster or slower than its clips a blend is played, where it means anything
-
-/// What a leaf's foot is doing: which step, and how much the leaf has to say about timing.
-struct FootLeaf {
-    const PackedClip* clip;
-    const FootPrints* track;
-    float weight;  ///< adds up to 1
-    float say;     ///< of the leaf's speed, adds up to 1; 0 for clips without steps
-    float time;    ///< [s] of the body
-    int step;
-};
-
-struct FootLeaves {
-    FootLeaf leaf[k_max_leaves];
-    int count = 0;
-
-    std::span<FootLeaf> all() noexcept { return {leaf, static_cast<std::size_t>(count)}; }
-    std::span<const FootLeaf> all() const noexcept { return {leaf, static_cast<std::size_t>(count)}; }
-};
-
-/// What the leaves are to both sides; false where one has no tracks.
-bool gather_leaves(std::span<const PackedClip> clips, const FootBlend& blend, FootLeaves& leaves) noexcept {
-    float weights = 0, says = 0;
-    for (const Leaf& leaf : blend.leaves) {
-        const PackedClip& clip = clips[static_cast<std::size_t>(leaf.clip)];
-        if (!clip.feet[0].known() || !clip.feet[1].known()) return false;
-        constexpr float k_slowest = 1e-3f;  // [m/s] so that clips that stamp on the spot have a say among themselves
-        const float speed = clip.cycles > 0 ? std::max(foot_speed(clip.velocity, clip.turn_rate), k_slowest) : 0.0f;
-        FootLeaf& out = leaves.leaf[leaves.count++];
-        // What extrapolation takes off has its say about timing, too.
-        out = {&clip, nullptr, leaf.weight, std::fabs(leaf.weight) * speed, leaf.time, 0};
-        weights += leaf.weight;
-        says += out.say;
-    }
-    for (FootLeaf& leaf : leaves.all()) {
-        leaf.weight /= weights;
-        leaf.say = says > 0 ? leaf.say / says : 0.0f;
-    }
-    return true;
-}
-
-/// The leaves as one side sees them, which is in its step of that number.
-void turn_to(std::size_t side, std::uint32_t step, FootLeaves& leaves) noexcept {
-    for (FootLeaf& leaf : leaves.all()) {
-        leaf.track = &leaf.clip->feet[side];
-        if (leaf.clip->cycles > 0) leaf.step = static_cast<int>(step % static_cast<std::uint32_t>(leaf.clip->cycles));
-    }
-}
-
-/// Share of the step's phase for which the blended foot stands: a mean by the steps' durations, so that its way on the
-/// ground is the mean of the clips' ways. A lone stepping clip keeps its own.
-float blended_duty(const FootLeaves& leaves) noexcept {
-    float stance = 0, duration = 0;
-    for (const FootLeaf& leaf : leaves.all()) {
-        if (leaf.clip->cycles == 0) continue;
-        const FootStep& step = leaf.track->steps[static_cast<std::size_t>(leaf.step)];
-        stance += leaf.say * step.duration * step.lift;
-        duration += leaf.say * step.duration;
-    }
-    return duration > 0 ? std::clamp(stance / duration, k_least_duty, k_most_duty) : 0.5f;
-}
-
-/// Where a clip's own step is when the blended one is `share` of its way, of which it stands for `duty`.
-float own_share(const FootStep& step, float share, float duty) noexcept {
-    return share < duty ? share / duty * step.lift : step.lift + (share - duty) / (1 - duty) * (1 - step.lift);
-}
-
-/// How much faster the blend goes through its phase than its clips would by themselves: the age of a stance passes that
-/// much quicker.
-float pace_of(const FootLeaves& leaves, const FootBlend& blend) noexcept {
-    float seconds = 0;
-    for (const FootLeaf& leaf : leaves.all())
-        if (leaf.clip->cycles > 0)
-            seconds +=
-                leaf.say * phase_time(*leaf.clip, phase_in(*leaf.clip, blend.phase_before, blend.cycle_before)).slope;
-    const float pace = seconds * blend.phase_rate;
-    return pace > 0 ? std::clamp(pace, 1 / k_most_pace, k_most_pace) : 1.0f;
-}
-
-}  // namespace
 
 Transform stand_on(const LegPaths::Side& leg, Quat rotation, Vec3 heel, Vec3 ball) noexcept {
     const auto one = [](Vec3 v) noexcept { return Vec8<Single>::splat(v); };
@@ -108,64 +21,26 @@ void reach_feet(const LegPaths& paths, const std::array<FootGoal, 2>& feet, std:
 
 namespace {
 
-/// A blend's feet, one side and step at a time.
-class BlendedFeet {
-  public:
-    BlendedFeet(const LegPaths& paths, const FootBlend& blend) noexcept : paths_(paths), blend_(blend) {}
+constexpr float k_step_height = 0.3f;  // of the sole's length
 
-    /// False where one of the clips has no foot track.
-    bool gather(std::span<const PackedClip> clips) noexcept {
-        if (!gather_leaves(clips, blend_, leaves_)) return false;
-        pace_ = pace_of(leaves_, blend_);
-        return true;
-    }
-    /// Goes over to a side, and returns its share of its step.
-    float turn_to(std::size_t side) noexcept {
-        strike_ = strike_phase(static_cast<Side>(side));
-        const float after = blend_.phase - strike_;
-        // Counted from well above zero, so that the step before the first one has a number too.
-        constexpr std::uint32_t k_far = 27720;  // a multiple of every small cycle count
-        step_ = blend_.cycle + k_far - (after < 0);
-        see_step(side, step_);
-        return after < 0 ? after + 1 : after;
-    }
-    void turn_to_next_step() noexcept { see_step(side_, step_ + 1); }
-    float duty() const noexcept { return duty_; }
-    bool steps() const noexcept {
-        for (const FootLeaf& leaf : leaves_.all())
-            if (leaf.clip->cycles > 0) return true;
-        return false;
-    }
-    /// Asks for the foot at a share of its step, which it has in `ahead` seconds, as seen from the root as it is now:
-    /// the weighted mean of the leaves' keys. Heel and ball are what is averaged: the foot rolls about one and then the
-    /// other, which stand still, while the ankle moves on a curve that no mean keeps.
-    void ask(float share, float ahead, FootGoal& answer, FootMeans& means) const noexcept {
-        means.begin(paths_.side[side_], blend_, pace_, ahead, answer);
-        for (const FootLeaf& leaf : leaves_.all()) {
-            float time = leaf.time;
-            if (leaf.clip->cycles > 0) {
-                const FootStep& step = leaf.track->steps[static_cast<std::size_t>(leaf.step)];
-                time = time_at(*leaf.clip, strike_ + static_cast<float>(leaf.step) + own_share(step, share, duty_));
-            }
-            means.add(*leaf.clip, static_cast<Side>(side_), time, leaf.weight, leaf.say);
-        }
-        means.end();
-    }
+void hold_at(const LegPaths::Side& leg, const FootOffset& hold, FootGoal& goal) noexcept {
+    if (hold == FootOffset{}) return;
+    const float bump = 4 * hold.step * (1 - hold.step),
+                lift = bump * bump * k_step_height * length(leg.ball - leg.heel);
+    goal.foot.translation += Vec3{hold.x, lift, hold.z};
+    goal.foot.rotation = from_yaw(hold.yaw) * goal.foot.rotation;
+}
 
-  private:
-    void see_step(std::size_t side, std::uint32_t step) noexcept {
-        side_ = side;
-        surefoot::turn_to(side, step, leaves_);
-        duty_ = blended_duty(leaves_);
+/// A step to where the blend has it is a swing of its own.
+void hold_plan(const LegPaths::Side& leg, const FootOffset& hold, FootPlan& plan) noexcept {
+    if (hold.step > 0) {
+        plan.next = plan.now;
+        plan.steps = true;
+        plan.share = hold.step;
+        plan.stance = 0;
     }
-
-    const LegPaths& paths_;
-    const FootBlend& blend_;
-    FootLeaves leaves_;
-    float pace_ = 1, strike_ = 0, duty_ = 0;
-    std::uint32_t step_ = 0;
-    std::size_t side_ = 0;
-};
+    hold_at(leg, hold, plan.now);
+}
 
 }  // namespace
 
@@ -175,17 +50,25 @@ void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, std::s
     LegLanes legs(chains);
     FootMeans means;
     std::array<std::array<FootGoal, 2>, LegLanes::k_poses> goals;
+    std::array<const FootBlend*, LegLanes::k_poses> blends;
     const auto reach = [&]() noexcept {
         means.answer_all();
         legs.run_forward();
-        for (int pose = 0; pose < legs.count(); ++pose) legs.set_goals(pose, goals[static_cast<std::size_t>(pose)]);
+        for (int pose = 0; pose < legs.count(); ++pose) {
+            const auto at = static_cast<std::size_t>(pose);
+            for (std::size_t side = 0; side < 2; ++side)
+                hold_at(paths.side[side], blends[at]->hold[side], goals[at][side]);
+            legs.set_goals(pose, goals[at]);
+        }
         legs.reach();
         legs.clear();
     };
     for (const BlendedPose& pose : poses) {
         BlendedFeet blended(paths, pose.blend);
         if (!blended.gather(clips)) continue;
-        std::array<FootGoal, 2>& feet = goals[static_cast<std::size_t>(legs.add(pose.locals))];
+        const auto at = static_cast<std::size_t>(legs.add(pose.locals));
+        blends[at] = &pose.blend;
+        std::array<FootGoal, 2>& feet = goals[at];
         for (std::size_t side = 0; side < 2; ++side) {
             const float share = blended.turn_to(side);
             blended.ask(share, 0, feet[side], means);
@@ -221,6 +104,9 @@ void plan_feet(const LegPaths& paths, std::span<const PackedClip> clips, std::sp
         }
     }
     means.answer_all();
+    for (std::size_t i = 0; i < blends.size(); ++i)
+        for (std::size_t side = 0; plans[i].known && side < 2; ++side)
+            hold_plan(paths.side[side], blends[i].hold[side], plans[i].side[side]);
 }
 
 }  // namespace surefoot

@@ -53,6 +53,18 @@ Transform stand_on(const LegPaths::Side& leg, Quat rotation, Vec3 heel, Vec3 bal
 /// What a leg cannot reach is pulled in softly (ik/two_bone.h).
 void reach_feet(const LegPaths& paths, const std::array<FootGoal, 2>& feet, std::span<Transform> locals) noexcept;
 
+/// How far a foot is held from where its blend has it (graph/foot_memory.h), as seen from the root.
+struct FootOffset {
+    float x = 0, z = 0;  ///< [m]
+    float yaw = 0;       ///< [rad] about the vertical through its joint
+    float step = 0;      ///< (0, 1) of the way of a step to where the blend has it; 0: it takes none
+
+    friend bool operator==(const FootOffset&, const FootOffset&) = default;
+};
+inline bool is_held(const std::array<FootOffset, 2>& hold) noexcept {
+    return !(hold[0] == FootOffset{}) || !(hold[1] == FootOffset{});
+}
+
 /// Leaves that share one phase, and how they and their root move.
 struct FootBlend {
     std::span<const Leaf> leaves;  ///< at most k_max_leaves
@@ -60,17 +72,18 @@ struct FootBlend {
     std::uint32_t cycle = 0;
     float phase_before = 0;  ///< a frame ago
     std::uint32_t cycle_before = 0;
-    float phase_rate = 0;  ///< [cycles/s] at `phase_before`
-    Vec3 velocity;         ///< [m/s] of the blended root, in its own frame
-    float turn = 0;        ///< [rad/s]
+    float phase_rate = 0;              ///< [cycles/s] at `phase_before`
+    Vec3 velocity;                     ///< [m/s] of the blended root, in its own frame
+    float turn = 0;                    ///< [rad/s]
+    std::array<FootOffset, 2> hold{};  ///< by Side
 };
 
 /// What a blended foot does, and where it stands next.
 struct FootPlan {
-    FootGoal now;         ///< as seen from the root
+    FootGoal now;         ///< as seen from the root, held as the blend's hold says
     bool steps = false;   ///< false: it stands for good, and the rest means nothing
     float share = 0;      ///< [0, 1) of the way from its strike to its next
-    float stance = 0.6f;  ///< (0, 1) share at which it leaves the ground
+    float stance = 0.6f;  ///< [0, 1) share at which it leaves the ground
     FootGoal next;        ///< of a foot that swings: the middle of its next stance, seen from the root as it is now
     bool swings() const noexcept { return steps && share >= stance; }
 };

@@ -14,7 +14,23 @@ bool any_steps(const LocomotionGraph& graph, std::span<const Leaf> leaves) noexc
 }
 
 /// A lone clip's feet are where it has them.
-bool blends_feet(const LocomotionFrame& frame) noexcept { return frame.leaf_count > 1 || frame.styled; }
+bool blends_feet(const LocomotionFrame& frame) noexcept {
+    return frame.leaf_count > 1 || frame.styled || is_held(frame.hold);
+}
+
+/// Who stood and begins to go does so with the foot that trails: no clip that was seen has a phase.
+void step_off(const LocomotionGraph& graph, const Mix& mix, LocomotionState& state) noexcept {
+    std::array<Leaf, k_max_locomotion_leaves> leaf;
+    const int count = make_leaves(graph.clips, mix.all(), state.clock, state.phase, state.cycle, leaf);
+    const std::span<const Leaf> leaves = std::span(leaf).first(static_cast<std::size_t>(count));
+    if (!any_steps(graph, leaves)) return;
+    FootBlend blend;
+    blend.leaves = leaves;
+    blend.phase = state.phase;
+    blend.cycle = state.cycle;
+    blend.velocity = mix.velocity;
+    state.phase = starting_phase(graph.legs, graph.clips, blend, state.feet);
+}
 
 /// The masked style's own pose over the finished one.
 void lay_over(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<Transform> locals) noexcept {
@@ -101,6 +117,7 @@ LocomotionFrame update(const LocomotionGraph& graph, LocomotionState& state, con
     const float style_weight = std::min(request.style_weight, 1.0f);
     frame.styled = style != nullptr && style->mask.empty();
     if (frame.styled) mix_in_style(mix, *style, style_weight);
+    if (stood(graph.clips, state.feet)) step_off(graph, mix, state);
     frame.phase_before = state.phase;
     frame.cycle_before = state.cycle;
     SharedPace pace;
@@ -122,12 +139,15 @@ LocomotionFrame update(const LocomotionGraph& graph, LocomotionState& state, con
         frame.layer_style = request.style;
         frame.layer_weight = style_weight;
     }
+    hold_feet(graph.legs, graph.clips, foot_blend_of(frame), frame.root_delta, dt, state.feet);
+    frame.hold = state.feet.hold;
     return frame;
 }
 
 FootBlend foot_blend_of(const LocomotionFrame& frame) noexcept {
     return {frame.leaves(),     frame.phase,      frame.cycle,    frame.phase_before,
-            frame.cycle_before, frame.phase_rate, frame.velocity, frame.turn * k_radians_per_degree};
+            frame.cycle_before, frame.phase_rate, frame.velocity, frame.turn * k_radians_per_degree,
+            frame.hold};
 }
 
 void pose(const LocomotionGraph& graph, const LocomotionFrame& frame, std::span<Transform> locals) noexcept {

@@ -15,7 +15,7 @@
 // graph/README.md), so blending adds no skate; a lone clip plays as recorded.
 
 #include <surefoot/clip/sample.h>
-#include <surefoot/graph/foot_blend.h>
+#include <surefoot/graph/foot_memory.h>
 #include <surefoot/space/blend_space.h>
 
 #include <memory>
@@ -126,11 +126,12 @@ struct LocomotionState {
     std::uint32_t cycle = 0;       ///< full cycles so far, for clips of several
     std::int32_t facing_hint = 0;  ///< last simplex of each space
     std::int32_t lateral_hint = 0;
+    FootMemory feet;  ///< that stand while weights change
 
     friend bool operator==(const LocomotionState&, const LocomotionState&) = default;
 };
 static_assert(std::is_trivially_copyable_v<LocomotionState> && sizeof(LocomotionState) <= 512);
-static_assert(sizeof(LocomotionState) == 24, "no padding: states may be compared and hashed as bytes");
+static_assert(sizeof(LocomotionState) == 248, "no padding: states may be compared and hashed as bytes");
 
 /// What each of the two spaces and a style may answer.
 inline constexpr int k_max_locomotion_leaves = 3 * k_max_blend_weights;
@@ -146,9 +147,10 @@ struct LocomotionFrame {
     float phase_rate = 0;    ///< [cycles/s] at `phase_before`
     float phase_before = 0;  ///< before this frame's time passed
     std::uint32_t cycle_before = 0;
-    std::uint32_t cycle = 0;  ///< full cycles so far, as in the state
-    bool stepping = false;    ///< some leaf has steps (else phase stands still)
-    bool clamped = false;     ///< the request lay outside what the clips cover
+    std::uint32_t cycle = 0;           ///< full cycles so far, as in the state
+    std::array<FootOffset, 2> hold{};  ///< by Side
+    bool stepping = false;             ///< some leaf has steps (else phase stands still)
+    bool clamped = false;              ///< the request lay outside what the clips cover
 
     bool styled = false;  ///< among the leaves are a style's, whose root is not the leaves' own
 

@@ -81,6 +81,47 @@ TEST(FootBlend, planted_feet_of_blends_stand_still_and_on_the_ground) {
     }
 }
 
+/// The longest way [m] of a foot that lies, heel and ball, while a character stands, goes, turns and stands again.
+float longest_drag(bool remembers) {
+    const Character& character = default_character();
+    const std::size_t joints = character.skeleton->rest.size();
+    std::vector<Transform> locals(joints), models(joints);
+    LocomotionState state;
+    LocomotionRequest request;
+    RootFrame root;
+    std::array<Vec3, 2> last{};
+    std::array<float, 2> way{};
+    float longest = 0;
+    for (float time = 0; time < 8; time += k_dt) {
+        LocomotionRequest wanted;
+        if (time > 1 && time < 6) wanted.speed = 1.4f;
+        if (time > 3 && time < 5) wanted.turn = 40;
+        request = approach(request, wanted, k_dt);
+        if (!remembers) state.feet = {};
+        const LocomotionFrame frame = update(character.graph, state, request, k_dt);
+        root = root * frame.root_delta;
+        pose(character.graph, frame, locals);
+        local_to_model(*character.skeleton, locals, models);
+        for (std::size_t side = 0; side < 2; ++side) {
+            const Leg& leg = character.legs.side[side];
+            const Transform foot = to_transform(root) * models[static_cast<std::size_t>(leg.foot)];
+            const Vec3 heel = transform_point(foot, leg.heel), ball = transform_point(foot, leg.ball),
+                       mid = lerp(heel, ball, 0.5f);
+            constexpr float k_down = 0.01f;  // [m]
+            way[side] =
+                time > 0 && heel.y < k_down && ball.y < k_down ? way[side] + planar_length(mid - last[side]) : 0;
+            longest = std::max(longest, way[side]);
+            last[side] = mid;
+        }
+    }
+    return longest;
+}
+
+TEST(FootBlend, standing_feet_stay_while_weights_change) {
+    EXPECT_LT(longest_drag(true), 0.04f);
+    EXPECT_GT(longest_drag(false), 0.08f) << "without what a blend remembers";
+}
+
 TEST(FootBlend, feet_stand_still_though_the_strikes_of_a_clip_are_unevenly_spaced) {
     auto clips = test::synthetic_clips();
     const float duty = 0.62f;

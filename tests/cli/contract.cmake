@@ -58,7 +58,7 @@ if(NOT EXISTS "${SCRATCH}/walks.html" OR EXISTS "${SCRATCH}/walks.glb")
 endif()
 
 # A pack walks as what it was baked from.
-expect(0 "a project without a graph, 24 bytes a character" bake project -o hero.sfpack)
+expect(0 "a project without a graph, 248 bytes a character" bake project -o hero.sfpack)
 expect(0 "\"error_mm\": null" bake hero.sfpack --json)
 expect(2 "not named .sfpack" bake project -o hero.pack)
 expect(0 "\"curves\": true" bake project --error 0.1mm --json -o curves.sfpack)
