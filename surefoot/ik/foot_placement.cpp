@@ -18,7 +18,7 @@ constexpr float k_too_late = 0.06f;     // [s] before a strike nothing is planne
 constexpr float k_fade_stiffness = 20;  // [1/s] of the spring on the weight: nine tenths within a fifth of a second
 constexpr float k_faded = 2e-3f;        // as good as there: half a millimetre of a foot 25 cm off
 constexpr float k_flat = 0.035f, k_most_drift = 0.1f;  // of the leg's length
-constexpr float k_rest_stiffness = 14;                 // [1/s]
+constexpr float k_sinking = 14, k_rising = 10;         // [1/s] of what is left of earlier plans
 constexpr float k_hold = 40;                           // [1/s]
 constexpr float k_lean_stiffness = 6;                  // [1/s]
 constexpr float k_spring_step = 1.0f / 60;             // [s] the forecast's step: longer frames are cut into such
@@ -79,25 +79,34 @@ void advance(const FootRig& rig, FootPlacementState& state, float dt) noexcept {
     for (int i = 0; i < steps; ++i) {
         state.clock += static_cast<double>(step);
         state.base.step(state.line.at(state.clock + lead), stiffness, step);
-        state.hips_rest.step(0, k_rest_stiffness, step);
+        state.hips_rest.step(state.hips_rest.value > 0 ? k_sinking : k_rising, step);
     }
+}
+
+/// Height of the hips as it is planned, and how that goes on.
+HeightRest planned_hips(const FootRig& rig, const FootPlacementState& state) noexcept {
+    constexpr float k_moment = 1.0f / 60;  // [s]
+    const auto limit = [&](float later) { return state.limiter.at(state.clock + static_cast<double>(later)); };
+    const float before = limit(-k_moment), now = limit(0), after = limit(k_moment);
+    const float w = rig.settings.hip_stiffness;
+    const float target = state.line.at(state.clock + 2.0 / static_cast<double>(w));
+    return {state.base.value + now, state.base.rate + (after - before) * (0.5f / k_moment),
+            w * (w * (target - state.base.value) - 2 * state.base.rate) +
+                (before - 2 * now + after) * (1 / (k_moment * k_moment))};
 }
 
 /// A new plan may find that the legs are short at once, where steering changed or ground came into sight late: the hips
 /// go there as smoothly as they can.
 void plan_smoothly(const FootRig& rig, FootPlacementState& state, const GroundProbe& probe,
                    const LegPreview& preview) noexcept {
-    constexpr float k_moment = 1.0f / 120;  // [s]
-    const auto now = [&] { return state.limiter.at(state.clock); };
-    const auto rate = [&] {
-        return (state.limiter.at(state.clock + static_cast<double>(k_moment)) - now()) * (1 / k_moment);
-    };
     const bool goes_on = state.started;
-    const float value_before = now(), rate_before = rate();
+    const HeightRest before = goes_on ? planned_hips(rig, state) : HeightRest{};
     plan_feet(rig, state, probe, preview);
     if (!goes_on) return;
-    state.hips_rest.value += value_before - now();
-    state.hips_rest.rate += rate_before - rate();
+    const HeightRest after = planned_hips(rig, state);
+    state.hips_rest.value += before.value - after.value;
+    state.hips_rest.rate += before.rate - after.rate;
+    state.hips_rest.acceleration += before.acceleration - after.acceleration;
 }
 
 /// A foot that stands flat on a foothold that was sought out stays there though the clip's own foot drifts, as it does

@@ -136,8 +136,8 @@ struct FootPlacementState {
     FootholdLine line;
     HeightSpring base;  ///< of the hips, before the legs' reach
     HipLimiter limiter;
-    HeightSpring hips_rest;  ///< what a new plan took from under the hips' way, fading
-    HeightSpring lean;       ///< [rad], [rad/s] of the trunk
+    HeightRest hips_rest;  ///< what a new plan took from under the hips' way, fading
+    HeightSpring lean;     ///< [rad], [rad/s] of the trunk
     PaceState pace;
     RootFrame last_root;         ///< a frame ago
     Vec3 ground_velocity;        ///< [m/s] see FootOutput

@@ -59,6 +59,15 @@ void HeightSpring::step(float target, float stiffness, float dt, float decay) no
     rate = (rate - stiffness * c * dt) * decay;
 }
 
+void HeightRest::step(float stiffness, float dt) noexcept {
+    // (value + b t + c t^2) e^(-stiffness t): three poles in one place.
+    const float w = stiffness, b = rate + w * value, c = 0.5f * (acceleration + w * (2 * rate + w * value));
+    const float now = value + dt * (b + dt * c), slope = b + 2 * dt * c, decay = exp(-w * dt);
+    value = now * decay;
+    rate = (slope - w * now) * decay;
+    acceleration = (2 * c - w * (2 * slope - w * now)) * decay;
+}
+
 void HipLimiter::fill(double time, float shortfall) noexcept {
     ring_.fill(std::min(shortfall, 0.0f));
     last_ = static_cast<std::int64_t>(std::floor(time * k_rate)) + 1;

@@ -38,6 +38,13 @@ struct HeightSpring {
     void step(float target, float stiffness, float dt, float decay) noexcept;
 };
 
+/// What is left of a jump in height, on its way to 0: position, velocity and acceleration go on from it, for a step in
+/// acceleration is seen as a jerk. Critically damped, of the third order; exact.
+struct HeightRest {
+    float value = 0, rate = 0, acceleration = 0;  ///< [m], [m/s], [m/s^2]
+    void step(float stiffness, float dt) noexcept;
+};
+
 /// Shortfall of the legs (<= 0 m) on a fixed grid of time, past and to come, and the smooth height below it.
 class HipLimiter {
   public:

@@ -87,6 +87,16 @@ TEST(SteeredWalk, feet_stay_on_the_hills_where_steering_changes_without_notice) 
     EXPECT_LT(c.walked[2].plans, 120);  // a few more than once a step
 }
 
+/// Away from the far edge of the ledge, when the hips have begun to sink for the step down.
+float turned_away(double time) { return time > 6 && time < 7 ? 3.0f : 0.0f; }
+
+TEST(SteeredWalk, hips_that_have_begun_to_give_way_turn_back_without_a_jerk) {
+    const Course ledge = make_course("ledge");
+    SteeredWalker walker(generated_clip("walk"), turned_away);
+    const WalkMetrics ours = compare_modes(walker, *ledge.ground, 1.4f, 9).metrics[2];
+    EXPECT_LT(ours.hip_jerk_ratio, 2);  // 2.9 where only position and velocity go on
+}
+
 TEST(SteeredWalk, soles_lie_flat_on_rubble_though_feet_turn_on_their_way_and_drift_where_they_stand) {
     const Course rubble = make_course("rubble");
     SteeredWalker walker(generated_clip("walk"), slalom);

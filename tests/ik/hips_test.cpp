@@ -39,6 +39,23 @@ TEST(HeightSpring, settles_without_overshoot_and_alike_at_any_frame_rate) {
     EXPECT_NEAR(fast.value, 1, 1e-4f);
 }
 
+TEST(HeightRest, goes_on_from_position_velocity_and_acceleration_and_fades_alike_at_any_frame_rate) {
+    constexpr float k_moment = 5e-4f;
+    const HeightRest jump{0.1f, -0.4f, 3};
+    HeightRest soon = jump, fast = jump, slow = jump;
+    soon.step(12, k_moment);
+    EXPECT_NEAR((soon.value - jump.value) / k_moment, jump.rate, 3e-3f);
+    EXPECT_NEAR((soon.rate - jump.rate) / k_moment, jump.acceleration, 0.1f);
+    EXPECT_NEAR(soon.acceleration, jump.acceleration, 0.1f);
+    for (int i = 0; i < 24; ++i) fast.step(12, 1.0f / 120);
+    for (int i = 0; i < 6; ++i) slow.step(12, 1.0f / 30);
+    EXPECT_NEAR(fast.value, slow.value, 1e-6f);
+    EXPECT_NEAR(fast.rate, slow.rate, 1e-5f);
+    EXPECT_NEAR(fast.acceleration, slow.acceleration, 1e-4f);
+    for (int i = 0; i < 120; ++i) fast.step(12, 1.0f / 120);
+    EXPECT_NEAR(fast.value, 0, 1e-4f);
+}
+
 TEST(HipLimiter, stays_below_the_shortfall_and_is_smooth) {
     HipLimiter limiter;
     limiter.fill(0, 0);
