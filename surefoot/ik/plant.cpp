@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <memory>
 
 namespace surefoot {
 namespace {
@@ -152,25 +154,35 @@ void between_edges(const Footprint& foot, const GroundProbe& probe, float along,
     }
 }
 
+// Most batches are small: of the room for the largest, only what is asked for is constructed.
+template <class T>
+std::span<T> constructed(std::byte* memory, std::size_t count) noexcept {
+    T* first = reinterpret_cast<T*>(memory);
+    std::uninitialized_default_construct_n(first, count);
+    return {first, count};
+}
+
 }  // namespace
 
 float GroundProbe::height(float x, float z) const noexcept {
-    const Vec3 place{x, 0, z};
-    float h = fallback;
-    heights({&place, 1}, {&h, 1});
-    return h;
+    const GroundQuery query{{x, level, z}, up, down};
+    GroundHit hit;
+    ground.query({&query, 1}, {&hit, 1});
+    return hit.hit ? hit.height : fallback;
 }
 
 void GroundProbe::look(std::span<const Vec3> places, std::span<GroundHit> out) const noexcept {
-    std::array<GroundQuery, k_batch> queries;
+    alignas(GroundQuery) std::byte memory[k_batch * sizeof(GroundQuery)];
     const std::size_t count = std::min(places.size(), k_batch);
+    const std::span<GroundQuery> queries = constructed<GroundQuery>(memory, count);
     for (std::size_t i = 0; i < count; ++i) queries[i] = {{places[i].x, level, places[i].z}, up, down};
-    ground.query({queries.data(), count}, out.first(count));
+    ground.query(queries, out.first(count));
 }
 
 void GroundProbe::heights(std::span<const Vec3> places, std::span<float> out) const noexcept {
-    std::array<GroundHit, k_batch> hits;
+    alignas(GroundHit) std::byte memory[k_batch * sizeof(GroundHit)];
     const std::size_t count = std::min(places.size(), k_batch);
+    const std::span<GroundHit> hits = constructed<GroundHit>(memory, count);
     look(places, hits);
     for (std::size_t i = 0; i < count; ++i) out[i] = hits[i].hit ? hits[i].height : fallback;
 }
