@@ -32,7 +32,7 @@ bench: ## build and run the benchmarks
 
 bench-wasm: ## the same frames as WebAssembly and natively for x86-64-v2; needs Node and emscripten
 	@scripts/setup.sh build bench studio
-	cmake --preset release -B build/v2 -DSUREFOOT_BUILD_BENCH=ON -DSUREFOOT_BUILD_TOOLS=OFF -DSUREFOOT_BUILD_TESTS=OFF \
+	cmake --preset release -B build/v2 -DSUREFOOT_BUILD_BENCH=ON -DSUREFOOT_BUILD_TESTS=OFF \
 	  -DSUREFOOT_KERNELS_X86_64=OFF -DCMAKE_CXX_FLAGS=-march=x86-64-v2
 	cmake --build build/v2 --target bench_frames
 	cmake --preset wasm -DSUREFOOT_BUILD_BENCH=ON

@@ -1,11 +1,11 @@
 # A room is a folder under surefoot/ and a static library of its own, so that the linker, too, sees which room leans on
 # which. A room of headers only becomes an interface library.
 #
-#   surefoot_room(NAME [RUNTIME] [DEPENDS room...] [LIBRARIES target...])
+#   surefoot_room(NAME [RUNTIME | PLAYED] [DEPENDS room...] [LIBRARIES target...])
 #
-# RUNTIME rooms are built without exceptions; DEPENDS are rooms, LIBRARIES are third-party targets.
+# RUNTIME rooms are built without exceptions; what a PLAYED room does runs each frame, too. DEPENDS are rooms, LIBRARIES are third-party targets.
 function(surefoot_room name)
-  cmake_parse_arguments(ROOM "RUNTIME" "" "DEPENDS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "RUNTIME;PLAYED" "" "DEPENDS;LIBRARIES" ${ARGN})
   set(target surefoot_${name})
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp")
   file(GLOB headers CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.h")
@@ -16,7 +16,7 @@ function(surefoot_room name)
     surefoot_compile_options(${target})
     if(ROOM_RUNTIME)
       target_compile_options(${target} PRIVATE -fno-exceptions)
-    elseif(EMSCRIPTEN)
+    elseif(EMSCRIPTEN AND NOT ROOM_PLAYED)
       # It is sent to browsers; what runs each frame stays fast.
       target_compile_options(${target} PRIVATE -Os)
     endif()
