@@ -631,6 +631,24 @@ await test('unsaved work survives a reload, until it is dropped', async () => {
   assert.deepEqual(complaints, []);
 });
 
+await test('of two projects that are asked for at once the later one is opened, though it is there first', async () => {
+  const project = lackingProject('later');
+  const files = readdirSync(path.join(project, 'clips')).map((clip) => `clips/${clip}`).concat('project.json')
+    .map((file) => [file, readFileSync(path.join(project, file)).toString('base64')]);
+  const { page, complaints } = await openPage(site.url);
+  const opened = await page.evaluate((files) => {
+    const { bench } = globalThis.studio;
+    const bytes = (text) => Uint8Array.from(atob(text), (each) => each.charCodeAt(0));
+    const slow = bench.open('The default', (client) => client.call('benchDefault').then(() => client.call('benchProbe')));
+    const quick = bench.openFiles(files.map(([file, text]) => [file, bytes(text)]));
+    return Promise.all([slow, quick]);
+  }, files);
+  assert.deepEqual(opened, [false, true]);
+  assert.equal(await bench(page, 'name'), 'later');
+  assert.equal(await page.evaluate(() => globalThis.studio.bench.busy.value), false);
+  assert.deepEqual(complaints, []);
+});
+
 await test('the map is coloured by what surefoot lint --probe measures, and ghosts are the clips that play', async () => {
   const project = lackingProject('probed');
   const native = nativeLint(project, '--probe').probe.spaces.find((each) => each.name === 'facing');

@@ -28,6 +28,9 @@ export const shownHeat = signal('');
 export const busy = computed(() => work.value !== null);
 
 let client: EngineClient | null = null;
+/** Of the project that is being opened. */
+let opening: EngineClient | null = null;
+let opened: Promise<unknown> = Promise.resolve();
 /** The spaces of who is on the stage. */
 let staged = '';
 /** Steps come one after the other. */
@@ -40,17 +43,22 @@ function begin(title: string, stop?: () => void): void {
 }
 
 function newClient(): EngineClient {
-  return new EngineClient(
+  const made: EngineClient = new EngineClient(
     (message) => {
-      work.value = null;
-      client = null;
-      project.value = null;
+      const wasOpen = made === client;
+      made.stop();
+      if (wasOpen) {
+        work.value = null;
+        client = null;
+        project.value = null;
+      }
       fail('The project’s engine stopped', `${message}. Open the project again; what was saved is safe.`);
     },
     (label, done, total) => {
       if (work.value) work.value = { ...work.value, label: k_words[label] ?? label, done, total };
     },
   );
+  return made;
 }
 
 const spacesOf = (facts: BenchFacts): string => JSON.stringify(facts.spaces);
@@ -62,6 +70,7 @@ async function show(from: EngineClient, facts: BenchFacts): Promise<void> {
     staged = spacesOf(facts);
   }
   const found = facts.probed ? await from.call('benchHeat') : [];
+  if (from.stopped) throw new Stopped();
   batch(() => {
     project.value = facts;
     heat.value = found;
@@ -69,10 +78,20 @@ async function show(from: EngineClient, facts: BenchFacts): Promise<void> {
   });
 }
 
-/** Another project: until it is there, the one that is here stays. False where somebody stopped it. */
-export async function open(title: string, load: (client: EngineClient) => Promise<BenchFacts>): Promise<boolean> {
-  const next = newClient();
+/**
+ * Another project: until it is there, the one that is here stays. False where somebody stopped it, or asked for another
+ * one meanwhile: the last one that is asked for is the one that is opened.
+ */
+export function open(title: string, load: (client: EngineClient) => Promise<BenchFacts>): Promise<boolean> {
+  opening?.stop();
+  const next = (opening = newClient());
   begin(title, () => next.stop());
+  const isOpen = opened.then(() => replaceBy(next, load));
+  opened = isOpen.catch(() => undefined);
+  return isOpen;
+}
+
+async function replaceBy(next: EngineClient, load: (client: EngineClient) => Promise<BenchFacts>): Promise<boolean> {
   try {
     await next.call('start');
     const facts = await load(next);
@@ -87,7 +106,10 @@ export async function open(title: string, load: (client: EngineClient) => Promis
     if (error instanceof Stopped) return false;
     throw error;
   } finally {
-    work.value = null;
+    if (opening === next) {
+      opening = null;
+      work.value = null;
+    }
   }
 }
 

@@ -36,6 +36,7 @@ export class EngineClient {
   readonly #worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'surefoot' });
   readonly #waiting = new Map<number, Waiting>();
   #nextId = 1;
+  #stopped = false;
   readonly #frames = new Exchange<Float32Array>();
   readonly #crowds = new Exchange<CrowdFrame>();
 
@@ -51,6 +52,7 @@ export class EngineClient {
   }
 
   call<Name extends CallName>(name: Name, ...args: Parameters<Calls[Name]>): Promise<ReturnType<Calls[Name]>> {
+    if (this.#stopped) return Promise.reject(new Stopped());
     const id = this.#nextId++;
     this.#post({ kind: 'call', id, name, args });
     return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
@@ -75,8 +77,13 @@ export class EngineClient {
     return this.#crowds.ask((buffer) => this.#post({ kind: 'crowd', seconds, eye, lasting, feet, buffer }, [buffer]));
   }
 
-  /** Whatever it is at: what was asked of it fails. */
+  get stopped(): boolean {
+    return this.#stopped;
+  }
+
+  /** Whatever it is at: what was asked of it fails, and what will be. */
   stop(): void {
+    this.#stopped = true;
     this.#worker.terminate();
     for (const { reject } of this.#waiting.values()) reject(new Stopped());
     this.#waiting.clear();
