@@ -107,6 +107,7 @@ void GraphStep::run_groups(float dt, float left) noexcept {
         const bool runs = pacing[g].leads || pacing[g].follows;
         pacing[g].fresh = runs && group.runs == 0;
         if (pacing[g].fresh) take_over_phase(group);
+        if (runs) step_off(static_cast<int>(g));
         group.runs = runs ? 1 : 0;
     }
     for (std::size_t i = 0; i < program_.nodes.size(); ++i) {

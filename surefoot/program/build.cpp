@@ -330,6 +330,11 @@ void lay_out(Program& program) {
     }
     mark_leaders(program);
     program.drifting = drifting_joints(program);
+    program.holds_feet = program.body.legs.count > 0 && !program.groups.empty();
+    if (program.holds_feet) {
+        program.feet_memory = static_cast<std::uint32_t>(size);
+        size += sizeof(FeetMemory);
+    }
     if (program.inertializes) {
         program.inertia_memory = static_cast<std::uint32_t>(size);
         size += sizeof(InertiaMemory) + program.drifting.size() * 6 * sizeof(float) +

@@ -44,22 +44,32 @@ void add_pose(const Program& program, const PoseTask& task, std::span<Transform>
     }
 }
 
-void sample_task(const Program& program, const GraphFrame& frame, const PoseTask& task,
-                 std::span<Transform> out) noexcept {
+/// How far a task's feet are held. What is mirrored is not: its feet are the other ones.
+std::array<FootOffset, 2> hold_of(const Program& program, std::span<const std::byte> state,
+                                  const PoseTask& task) noexcept {
+    if (!program.holds_feet || !task.steps || task.turned) return {};
+    const auto& memory = memory_at<FeetMemory>(state, program.feet_memory);
+    if (task.group >= 0 && task.group != memory.group) return {};
+    return memory.feet.hold;
+}
+
+void sample_task(const Program& program, std::span<const std::byte> state, const GraphFrame& frame,
+                 const PoseTask& task, std::span<Transform> out) noexcept {
     const LocomotionGraph& body = program.body;
     const std::span<const Leaf> leaves =
         frame.leaves().subspan(static_cast<std::size_t>(task.first_leaf), static_cast<std::size_t>(task.leaf_count));
     sample_pose(*body.skeleton, body.clips, leaves, out);
-    if (task.group < 0) return;
-    GroupStep step = frame.groups[static_cast<std::size_t>(task.group)];
+    const std::array<FootOffset, 2> hold = hold_of(program, state, task);
+    if (!task.blends && !is_held(hold)) return;
+    GroupStep step = task.group >= 0 ? frame.groups[static_cast<std::size_t>(task.group)] : GroupStep{};
     if (task.turned) {
         turn_phase(step.phase, step.cycle);
         turn_phase(step.phase_before, step.cycle_before);
     }
-    blend_feet(
-        body.legs, body.clips,
-        {leaves, step.phase, step.cycle, step.phase_before, step.cycle_before, step.rate, task.velocity, task.turn},
-        out);
+    blend_feet(body.legs, body.clips,
+               {leaves, step.phase, step.cycle, step.phase_before, step.cycle_before, step.rate, task.velocity,
+                task.turn, hold},
+               out);
 }
 
 /// The tree's own pose, before inertialization.
@@ -74,7 +84,7 @@ void evaluate_tasks(const Program& program, std::span<const std::byte> state, co
         const std::span<Transform> to = reg(task.to);
         switch (task.kind) {
             case PoseTask::Kind::sample:
-                sample_task(program, frame, task, to);
+                sample_task(program, state, frame, task, to);
                 break;
             case PoseTask::Kind::gait: {
                 const Node& node = program.nodes[static_cast<std::size_t>(task.node)];
@@ -178,6 +188,7 @@ void reset_subtree(const Program& program, std::span<std::byte> state, int root)
 void start(const Program& program, std::span<std::byte> state) noexcept {
     assert(state.size() >= program.state_size && reinterpret_cast<std::uintptr_t>(state.data()) % 8 == 0);
     std::memset(state.data(), 0, program.state_size);
+    if (program.holds_feet) memory_at<FeetMemory>(state, program.feet_memory) = {};
     for (std::size_t i = 0; i < program.parameters.size(); ++i) {
         const float value = program.parameters[i].initial;
         memory_at<ParameterMemory>(state, parameter_memory(i)) = {value, value, 0};
@@ -219,7 +230,9 @@ float GraphStep::run(const GraphInput& input, float dt, float left, bool decide)
         frame_.velocity += inertia.velocity * share;
         frame_.turn += inertia.turn * share;
     }
-    frame_.root_delta = frame_.root_delta * integrate(frame_.velocity, frame_.turn, dt);
+    const RootFrame moved = integrate(frame_.velocity, frame_.turn, dt);
+    frame_.root_delta = frame_.root_delta * moved;
+    hold_feet(moved, dt);
     return inertialize;
 }
 

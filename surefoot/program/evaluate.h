@@ -56,13 +56,16 @@ struct PoseTask {
     Kind kind = Kind::sample;
     std::int16_t to = 0;         ///< register; blend, layer and add read the one after it, too
     std::int16_t node = -1;      ///< gait
-    std::int16_t group = -1;     ///< sample: whose feet are blended; -1: no feet are
+    std::int16_t group = -1;     ///< sample: whose phase the leaves share; below 0: they have none
     std::int16_t mask = -1;      ///< layer, add; -1: the whole body
     std::int16_t reference = 0;  ///< add
     std::int32_t first_leaf = 0, leaf_count = 0;
     float weight = 1;  ///< of the second pose
+    float legs = 0;    ///< sample: share of the character's legs that is seen
     Vec3 velocity;     ///< sample: of the leaves' root
     float turn = 0;
+    bool steps = false;       ///< sample: its legs may be held, they are no clip's by itself
+    bool blends = false;      ///< sample: its feet are a mean
     bool turned = false;      ///< sample: half a cycle ahead, for it is mirrored
     bool style_mask = false;  ///< layer: the mask is a style's, `mask` its index
 };

@@ -1,6 +1,7 @@
 #pragma once
 // What a character's state block holds, and where. Private to program/.
 
+#include <surefoot/graph/foot_memory.h>
 #include <surefoot/program/evaluate.h>
 
 #include <cassert>
@@ -28,6 +29,13 @@ struct ClipMemory {
 struct SpaceMemory {
     double clock = 0;  ///< [s] of clips without steps
     std::int32_t facing_hint = 0, lateral_hint = 0;
+};
+
+/// Standing feet, of the one sync group whose steps carry the character.
+struct FeetMemory {
+    FootMemory feet;
+    std::int32_t group = -1;  ///< -1: none has run yet
+    std::uint32_t unused = 0;
 };
 
 struct MachineMemory {

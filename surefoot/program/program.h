@@ -241,6 +241,8 @@ struct Program {
     std::uint32_t state_size = 0;  ///< [bytes] of a character, a multiple of 8
     bool inertializes = false;
     std::uint32_t inertia_memory = 0;
+    bool holds_feet = false;  ///< standing feet are held while weights change (graph/foot_memory.h)
+    std::uint32_t feet_memory = 0;
     int registers = 0;                   ///< poses that evaluating needs at once
     std::vector<std::int16_t> drifting;  ///< joints whose translation an inertialized transition has to carry
 

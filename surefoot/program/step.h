@@ -31,6 +31,7 @@ struct Partial {
     Vec3 velocity;
     float turn = 0;
     float feet = 1;
+    float legs = 0;  ///< share of the character's legs that is this pose's
 };
 
 struct GraphScratch::Parts {
@@ -88,6 +89,13 @@ class GraphStep {
     void fire(const std::vector<EventMark>& marks, float from, float to, bool with_from, int owner, float weight,
               float left, float per_second) noexcept;
     void sort_events(std::size_t first) noexcept;
+
+    // feet.cpp
+    void step_off(int group) noexcept;
+    void share_legs() noexcept;
+    bool bears(const PoseTask& task, int group) noexcept;
+    int bearing_group(int before) noexcept;
+    void hold_feet(const RootFrame& moved, float dt) noexcept;
 
     // up.cpp
     void pass_up() noexcept;

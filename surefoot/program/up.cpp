@@ -88,9 +88,9 @@ void GraphStep::evaluate(int position) noexcept {
     task.velocity = partial.velocity;
     task.turn = partial.turn;
     task.turned = partial.turned;
-    // A lone clip plays as recorded.
-    if (partial.group >= 0 && (partial.count > 1 || partial.styled))
-        task.group = static_cast<std::int16_t>(partial.group);
+    task.group = static_cast<std::int16_t>(partial.group);
+    task.steps = partial.group != Partial::k_own;
+    task.blends = task.steps && (partial.count > 1 || partial.styled);  // a lone clip plays as recorded
 }
 
 bool GraphStep::mergeable(int first, int count, int& group) noexcept {

@@ -3,6 +3,7 @@
 
 #include "tests/bake/synthetic_clips.h"
 #include "tests/support/allocations.h"
+#include "tests/support/drag.h"
 
 #include <gtest/gtest.h>
 
@@ -89,9 +90,7 @@ float longest_drag(bool remembers) {
     LocomotionState state;
     LocomotionRequest request;
     RootFrame root;
-    std::array<Vec3, 2> last{};
-    std::array<float, 2> way{};
-    float longest = 0;
+    test::DragMeter drag;
     for (float time = 0; time < 8; time += k_dt) {
         LocomotionRequest wanted;
         if (time > 1 && time < 6) wanted.speed = 1.4f;
@@ -102,24 +101,32 @@ float longest_drag(bool remembers) {
         root = root * frame.root_delta;
         pose(character.graph, frame, locals);
         local_to_model(*character.skeleton, locals, models);
-        for (std::size_t side = 0; side < 2; ++side) {
-            const Leg& leg = character.legs.side[side];
-            const Transform foot = to_transform(root) * models[static_cast<std::size_t>(leg.foot)];
-            const Vec3 heel = transform_point(foot, leg.heel), ball = transform_point(foot, leg.ball),
-                       mid = lerp(heel, ball, 0.5f);
-            constexpr float k_down = 0.01f;  // [m]
-            way[side] =
-                time > 0 && heel.y < k_down && ball.y < k_down ? way[side] + planar_length(mid - last[side]) : 0;
-            longest = std::max(longest, way[side]);
-            last[side] = mid;
-        }
+        drag.see(character.legs, to_transform(root), models);
     }
-    return longest;
+    return drag.longest();
 }
 
 TEST(FootBlend, standing_feet_stay_while_weights_change) {
     EXPECT_LT(longest_drag(true), 0.04f);
     EXPECT_GT(longest_drag(false), 0.08f) << "without what a blend remembers";
+}
+
+TEST(FootBlend, who_stands_goes_off_with_the_foot_that_trails) {
+    for (const Side ahead : {Side::left, Side::right}) {
+        LocomotionGraph graph = default_character().graph;
+        for (PackedClip& clip : graph.clips)
+            if (clip.name == "idle") test::put_ahead(clip, ahead, 0.15f);
+        LocomotionState state;
+        update(graph, state, {}, k_dt);
+        FootPlans plans;
+        for (float time = 0; time < 1 && !plans.side[0].swings() && !plans.side[1].swings(); time += k_dt) {
+            const LocomotionFrame frame = update(graph, state, {1.4f, 0, 0}, k_dt);
+            const FootBlend blend = foot_blend_of(frame);
+            plan_feet(graph.legs, graph.clips, {&blend, 1}, {&plans, 1});
+        }
+        const std::size_t first = plans.side[0].swings() ? 0 : 1;
+        EXPECT_NE(first, static_cast<std::size_t>(ahead));
+    }
 }
 
 TEST(FootBlend, feet_stand_still_though_the_strikes_of_a_clip_are_unevenly_spaced) {

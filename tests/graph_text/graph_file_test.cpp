@@ -8,6 +8,7 @@
 
 #include "tests/support/allocations.h"
 #include "tests/support/damage.h"
+#include "tests/support/drag.h"
 #include "tests/support/folder.h"
 
 #include <gtest/gtest.h>
@@ -110,6 +111,89 @@ TEST_F(GraphFile, walks_as_asked_and_takes_its_transitions) {
     // Ten seconds at 1.4 m/s, but for the time of getting there.
     EXPECT_NEAR(root.position.z, 14 - 0.5f * 1.4f * 1.4f / 2.5f, 0.1f);
     EXPECT_NEAR(root.position.x, 0, 0.1f);
+}
+
+/// Stands, goes, curves, and stands again; greets meanwhile. Returns how far a lying foot goes, in metres.
+float longest_drag(const Pack& hero, const Program& program) {
+    GraphScratch scratch(program);
+    GraphFrame frame(program);
+    std::vector<std::byte> state(program.state_size);
+    const Skeleton& skeleton = *program.body.skeleton;
+    std::vector<Transform> locals(skeleton.rest.size()), models(skeleton.rest.size());
+    start(program, state);
+    const int speed = program.parameter("speed"), turn = program.parameter("turn"), wave = program.parameter("wave");
+    RootFrame root;
+    test::DragMeter drag;
+    for (int i = 0; i < 480; ++i) {
+        set(program, state, speed, i > 60 && i < 360 ? 1.4f : 0.0f);
+        set(program, state, turn, i > 180 && i < 300 ? 40.0f : 0.0f);
+        if (wave >= 0 && (i == 70 || i == 190)) set(program, state, wave, 1);
+        GraphInput input;
+        input.dt = 1.0f / 60;
+        update(program, state, input, scratch, frame);
+        root = root * frame.root_delta;
+        pose(program, state, frame, scratch, locals);
+        local_to_model(skeleton, locals, models);
+        drag.see(hero.legs, to_transform(root), models);
+    }
+    EXPECT_GT(root.position.z, 2);
+    return drag.longest();
+}
+
+TEST_F(GraphFile, standing_feet_stay_while_weights_change) {
+    const std::string machine = R"({
+  "surefoot_graph": 1, "name": "stander", "project": ".",
+  "parameters": {
+    "speed": {"low": -1, "high": 5, "rate_per_s": 2.5}, "turn": {"low": -90, "high": 90, "rate_per_s": 240}
+  },
+  "groups": {"legs": {}},
+  "nodes": {
+    "stand": {"type": "clip", "clip": "idle"},
+    "move": {"type": "locomotion", "speed": "speed", "turn": "turn"},
+    "whole": {"type": "machine", "initial": "stand", "states": {"stand": "stand", "go": "move"},
+      "transitions": {
+        "begin": {"from": "stand", "to": "go", "kind": "feather", "seconds": 0.3, "when": [{"parameter": "speed", ">": 0.1}]},
+        "end": {"from": "go", "to": "stand", "kind": "feather", "seconds": 0.3, "when": [{"parameter": "speed", "<": 0.1}]}
+      }}
+  },
+  "root": "whole"
+})";
+    const std::pair<std::string, float> graphs[] = {
+        {machine, 0.04f},                                           // an idle that is in no group
+        {with("\"root\": \"arms\"", "\"root\": \"move\""), 0.04f},  // one node
+        {with("\"kind\": \"inertialize\", ", ""), 0.04f},           // two sums of one group while states change
+        {k_graph, 0.06f},  // what is carried of the old pose moves the legs a little
+    };
+    for (const auto& [text, most] : graphs) {
+        const Pack hero = load_graph(write(text));
+        ASSERT_TRUE(hero.program.holds_feet);
+        EXPECT_LT(longest_drag(hero, hero.program), most) << text;
+        Program forgets = hero.program;
+        forgets.holds_feet = false;
+        EXPECT_GT(longest_drag(hero, forgets), 2 * most) << text;
+    }
+}
+
+TEST_F(GraphFile, who_stands_goes_off_with_the_foot_that_trails) {
+    for (const Side ahead : {Side::left, Side::right}) {
+        Program program = load_graph(write(k_graph)).program;
+        for (PackedClip& clip : program.body.clips)
+            if (clip.name == "idle") test::put_ahead(clip, ahead, 0.15f);
+        GraphScratch scratch(program);
+        GraphFrame frame(program);
+        std::vector<std::byte> state(program.state_size);
+        start(program, state);
+        GraphInput input;
+        input.dt = 1.0f / 60;
+        int first_strike = -1;
+        for (int i = 0; i < 120 && first_strike < 0; ++i) {
+            if (i == 1) set(program, state, program.parameter("speed"), 1.4f);
+            update(program, state, input, scratch, frame);
+            // That of the frame in which the group has begun is nobody's step.
+            if (i > 0 && !frame.events().empty()) first_strike = frame.events()[0].event;
+        }
+        EXPECT_EQ(first_strike, program.event(ahead == Side::left ? "right_strike" : "left_strike"));
+    }
 }
 
 TEST_F(GraphFile, extends_another_and_exchanges_what_it_names) {
