@@ -1,4 +1,5 @@
 #include <surefoot/graph/blended_feet.h>
+#include <surefoot/graph/held_feet.h>
 #include <surefoot/graph/kernels_impl.h>
 
 namespace surefoot {
@@ -19,31 +20,6 @@ void reach_feet(const LegPaths& paths, const std::array<FootGoal, 2>& feet, std:
     legs.reach();
 }
 
-namespace {
-
-constexpr float k_step_height = 0.3f;  // of the sole's length
-
-void hold_at(const LegPaths::Side& leg, const FootOffset& hold, FootGoal& goal) noexcept {
-    if (hold == FootOffset{}) return;
-    const float bump = 4 * hold.step * (1 - hold.step),
-                lift = bump * bump * k_step_height * length(leg.ball - leg.heel);
-    goal.foot.translation += Vec3{hold.x, lift, hold.z};
-    goal.foot.rotation = from_yaw(hold.yaw) * goal.foot.rotation;
-}
-
-/// A step to where the blend has it is a swing of its own.
-void hold_plan(const LegPaths::Side& leg, const FootOffset& hold, FootPlan& plan) noexcept {
-    if (hold.step > 0) {
-        plan.next = plan.now;
-        plan.steps = true;
-        plan.share = hold.step;
-        plan.stance = 0;
-    }
-    hold_at(leg, hold, plan.now);
-}
-
-}  // namespace
-
 void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, std::span<const BlendedPose> poses) noexcept {
     if (paths.count == 0 || poses.empty()) return;
     const LegChains chains = make_leg_chains(paths);
@@ -56,8 +32,12 @@ void blend_feet(const LegPaths& paths, std::span<const PackedClip> clips, std::s
         legs.run_forward();
         for (int pose = 0; pose < legs.count(); ++pose) {
             const auto at = static_cast<std::size_t>(pose);
-            for (std::size_t side = 0; side < 2; ++side)
-                hold_at(paths.side[side], blends[at]->hold[side], goals[at][side]);
+            for (std::size_t side = 0; side < 2; ++side) {
+                const FootOffset& hold = blends[at]->hold[side];
+                if (hold == FootOffset{}) continue;
+                hold_at(paths.side[side], hold, goals[at][side]);
+                rise_on_ball(paths.side[side], legs.pose(pose, side), goals[at][side]);
+            }
             legs.set_goals(pose, goals[at]);
         }
         legs.reach();

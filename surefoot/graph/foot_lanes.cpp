@@ -89,6 +89,15 @@ void LegLanes::sink_to_reach(float share, float (&sinks)[k_foot_lanes]) noexcept
     KernelBuilds<FootKernels>::fastest().sink(chains_, models_, goals_, share, sinks);
 }
 
+BlendedLeg LegLanes::pose(int pose, std::size_t side) const noexcept {
+    const auto lane = 2 * static_cast<std::size_t>(pose) + side;
+    const auto place = [&](int joint) noexcept {
+        const float* at = models_ + static_cast<std::size_t>(joint) * k_model_floats + 4 * k_foot_lanes + lane;
+        return Vec3{at[0], at[k_foot_lanes], at[2 * k_foot_lanes]};
+    };
+    return {place(chains_.upper), place(chains_.lower), place(chains_.count - 1)};
+}
+
 void LegLanes::set_goals(int pose, const std::array<FootGoal, 2>& feet) noexcept {
     for (std::size_t side = 0; side < 2; ++side) {
         const std::size_t lane = 2 * static_cast<std::size_t>(pose) + side;

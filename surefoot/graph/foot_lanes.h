@@ -3,7 +3,7 @@
 // are needed. Nobody's bits depend on who else is in the lanes. Inner header of the graph room and the crowd's.
 
 #include <surefoot/clip/foot_keys.h>
-#include <surefoot/graph/foot_blend.h>
+#include <surefoot/graph/held_feet.h>
 #include <surefoot/graph/kernels.h>
 
 namespace surefoot {
@@ -51,6 +51,7 @@ class LegLanes {
     int add(std::span<Transform> locals) noexcept;
     /// Finds the legs of all poses.
     void run_forward() noexcept;
+    BlendedLeg pose(int pose, std::size_t side) const noexcept;
     void set_goals(int pose, const std::array<FootGoal, 2>& feet) noexcept;
     /// The same for who has them in lanes: left and right of the poses in turns.
     LegGoalLanes& goals() noexcept { return goals_; }

@@ -93,7 +93,8 @@ requires(std::is_same_v<std::remove_const_t<Value>, Node>) void fields(Archive& 
 template <class Archive, class Value>
 requires(std::is_same_v<std::remove_const_t<Value>, Program>) void fields(Archive& archive, Value& value) {
     auto& [name, body, rigs, parameters, groups, events, targets, masks, references, mirror, nodes, made_state_size,
-           made_inertializes, made_inertia_memory, made_holds_feet, made_feet_memory, made_registers, made_drifting] = value;
+           made_inertializes, made_inertia_memory, made_holds_feet, made_feet_memory, made_registers, made_drifting] =
+        value;
     archive(name, body);
     archive.part("gaits", rigs);
     archive.part("nodes", parameters, groups, events, targets, masks, references, mirror, nodes);
