@@ -122,11 +122,24 @@ RootFrame along_arc(const RootFrame& to, float share) noexcept {
 }
 
 /// How flat a foot is kept: as flat as the body stands; on its way, at first as flat as it left. A step between two
-/// stands stays low.
+/// stands stays low, and has a height of its own.
 float flatness(const LiveFoot& foot, const Mixture& now, float swung) noexcept {
     constexpr float k_over = 0.8f;  // share of the swing that each takes
     if (!foot.swings) return now.standing;
     return foot.flat * (1 - smooth_step(swung / k_over)) + now.standing * smooth_step((swung - 1) / k_over + 1);
+}
+
+/// [m] by which a flat foot is lifted on its way, so that it steps and does not slide.
+float step_height(const LegPaths::Side& leg, float flat, float swung) noexcept {
+    constexpr float k_of_sole = 0.3f;
+    const float bump = 4 * swung * (1 - swung);
+    return flat * bump * bump * k_of_sole * length(leg.ball - leg.heel);
+}
+
+/// Of its way, more than 1 once it is there. Who comes down flat arrives before: there is no heel to roll on.
+float way_share(float flat, float swung) noexcept {
+    constexpr float k_sooner = 0.15f;
+    return swung / (1 - k_sooner * flat);
 }
 
 FootGoal goal_of(const LiveRig& rig, const LiveState& state, const Mixture& now, const LiveScratch& scratch,
@@ -139,9 +152,10 @@ FootGoal goal_of(const LiveRig& rig, const LiveState& state, const Mixture& now,
     flatten(blended.print, rig.stand_print[side], rig.stand_place[side], place, flat);
     // The root in the middle of the stance, seen from where it is now.
     RootFrame middle = foot.plant * between(place, {});
-    if (foot.swings) middle = middle * along_arc(between(middle, foot.plant * foot.coming), smooth_step(swung));
-    const Transform print =
-        stand_on(rig.legs.side[side], blended.print.rotation, blended.print.heel, blended.print.ball);
+    if (foot.swings)
+        middle = middle * along_arc(between(middle, foot.plant * foot.coming), smooth_step(way_share(flat, swung)));
+    Transform print = stand_on(rig.legs.side[side], blended.print.rotation, blended.print.heel, blended.print.ball);
+    if (foot.swings) print.translation.y += step_height(rig.legs.side[side], flat, swung);
     return {to_transform(middle) * print, blended.print.toes};
 }
 

@@ -2,6 +2,7 @@
 #include <surefoot/graph/locomotion.h>
 #include <tests/live/bundled_gait.h>
 #include <tests/support/allocations.h>
+#include <tests/support/drag.h>
 
 #include <gtest/gtest.h>
 
@@ -176,6 +177,22 @@ TEST(Live, what_touches_the_ground_under_a_planted_foot_hardly_moves_while_every
     }
     ASSERT_GT(seconds, 15);
     EXPECT_LT(moved / seconds, 0.05) << "m/s; the fitted gait by itself has 0.04";
+}
+
+TEST(Live, a_foot_that_lies_is_not_dragged_into_a_stand_out_of_it_or_while_turning) {
+    for (const auto& [speed, turn, most] : {std::tuple{0.8f, 0.0f, 0.02f},
+                                            {1.4f, 0.0f, 0.02f},
+                                            {3.0f, 0.0f, 0.03f},
+                                            {0.0f, 60.0f, 0.02f},
+                                            {0.0f, -90.0f, 0.04f}}) {
+        Player player(bundled_rig(), {});
+        test::DragMeter drag;
+        for (int f = 0; f < 480; ++f) {
+            player.go(f > 30 && f < 240 ? LiveRequest{speed, turn} : LiveRequest{});
+            drag.see(player.rig.soles, to_transform(player.root), player.models);
+        }
+        EXPECT_LT(drag.longest(), most) << speed << " m/s, " << turn << " deg/s";
+    }
 }
 
 TEST(Live, feet_leave_the_ground_in_turn) {
