@@ -10,6 +10,7 @@ constexpr float k_astray = 0.5f;            // soles' lengths
 constexpr float k_twist_as_offset = 1.2f;   // soles' lengths a radian
 constexpr float k_side_by_side = 0.2f;      // soles' lengths
 constexpr float k_least_pace = 1e-3f;       // [m/s]
+constexpr float k_least_turn = 1e-3f;       // [rad/s]
 constexpr float k_drift_seconds = 0.1f;
 constexpr float k_foresight = 0.2f;  // [s] for which changes are taken to go on after a strike
 constexpr float k_settle_seconds = 0.45f;
@@ -115,9 +116,9 @@ void see_drift(const FootOffset& before, const FootOffset& after, float dt, Foot
 /// Share of a swing's hold that is left when `done` of the swing has passed.
 float left_of(float done) noexcept { return 1 - smooth_step(done); }
 
-/// What swings goes to where the blend will have it once it stands, if changes go on for a while.
-void let_go(const FootMemory::Drift& drift, float share, float dt, FootOffset& hold) noexcept {
-    const float to_x = drift.x * k_foresight, to_z = drift.z * k_foresight;
+/// To where the blend will have it once it stands, if changes go on for `foresight` seconds.
+void let_go(const FootMemory::Drift& drift, float foresight, float share, float dt, FootOffset& hold) noexcept {
+    const float to_x = drift.x * foresight, to_z = drift.z * foresight;
     const float x = hold.x - to_x, z = hold.z - to_z, offset = std::sqrt(x * x + z * z), twist = std::fabs(hold.yaw);
     const float least = offset > 0 ? 1 - k_fastest_return * dt / offset : 0,
                 least_twist = twist > 0 ? 1 - k_fastest_untwist * dt / twist : 0;
@@ -125,9 +126,9 @@ void let_go(const FootMemory::Drift& drift, float share, float dt, FootOffset& h
     hold = {to_x + x * kept, to_z + z * kept, hold.yaw * kept_twist, hold.step};
 }
 
-/// What swings goes to where the blend has it. Returns who swings.
+/// What swings goes to where the blend has it, `foresight` seconds ahead. Returns who swings.
 std::array<bool, 2> let_swings_go(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
-                                  float dt, FootMemory& memory) noexcept {
+                                  float foresight, float dt, FootMemory& memory) noexcept {
     BlendedFeet feet(paths, blend);
     if (!feet.gather(clips) || !feet.steps()) return {};
     std::array<bool, 2> swings{};
@@ -140,7 +141,7 @@ std::array<bool, 2> let_swings_go(const LegPaths& paths, std::span<const PackedC
         // A strike since the last step: what is left of the swing before it.
         const float from = before < 0 ? left_of(done(before + 1)) : left_of(done(before));
         const float to = before < 0 ? 0 : left_of(done(share));
-        if (from > 0 && to < from) let_go(memory.drift[side], to / from, dt, memory.hold[side]);
+        if (from > 0 && to < from) let_go(memory.drift[side], foresight, to / from, dt, memory.hold[side]);
     }
     return swings;
 }
@@ -190,8 +191,9 @@ bool stood(std::span<const PackedClip> clips, const FootMemory& memory) noexcept
 
 float starting_phase(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
                      const FootMemory& memory) noexcept {
-    const float pace = std::sqrt(blend.velocity.x * blend.velocity.x + blend.velocity.z * blend.velocity.z);
-    if (paths.count == 0 || !(pace > k_least_pace)) return blend.phase;
+    const float pace = planar_length(blend.velocity);
+    const bool goes = pace > k_least_pace;
+    if (paths.count == 0 || !(goes || std::fabs(blend.turn) > k_least_turn)) return blend.phase;
     FootBlend stood = blend;
     stood.leaves = std::span(memory.leaf).first(memory.count);
     BlendedFeet standing(paths, stood), stepping(paths, blend);
@@ -200,13 +202,18 @@ float starting_phase(const LegPaths& paths, std::span<const PackedClip> clips, c
     std::array<FootGoal, 2> feet;
     for (std::size_t side = 0; side < 2; ++side) standing.ask(standing.turn_to(side), 0, feet[side], means);
     means.answer_all();
+    std::array<float, 2> lift;
+    for (std::size_t side = 0; side < 2; ++side) {
+        stepping.turn_to(side);
+        lift[side] = strike_phase(static_cast<Side>(side)) + stepping.duty();
+    }
+    const auto wrapped = [](float phase) noexcept { return phase - std::floor(phase); };
+    if (!goes) return wrapped(lift[blend.turn > 0 ? 0 : 1]);
     const Vec3 way = blend.velocity / pace;
     const float ahead = along(way, feet[0], memory.hold[0]) - along(way, feet[1], memory.hold[1]);
-    if (std::fabs(ahead) < k_side_by_side * length(paths.side[0].ball - paths.side[0].heel)) return blend.phase;
-    const std::size_t trailing = ahead > 0 ? 1 : 0;
-    stepping.turn_to(trailing);
-    const float lift = strike_phase(static_cast<Side>(trailing)) + stepping.duty();
-    return lift - std::floor(lift);
+    if (std::fabs(ahead) >= k_side_by_side * length(paths.side[0].ball - paths.side[0].heel))
+        return wrapped(lift[ahead > 0 ? 1 : 0]);
+    return wrapped(lift[wrapped(lift[0] - blend.phase) < wrapped(lift[1] - blend.phase) ? 0 : 1]);
 }
 
 void hold_feet(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
@@ -214,8 +221,11 @@ void hold_feet(const LegPaths& paths, std::span<const PackedClip> clips, const F
     if (paths.count == 0) return;
     const bool changed = !is_same(memory, blend);
     const float stepping = changed || is_held(memory.hold) ? stepping_share(clips, blend.leaves) : 0;
-    const bool stops = stepping == 0 || (changed && stepping < k_stopping &&
-                                         stepping < stepping_share(clips, std::span(memory.leaf).first(memory.count)));
+    const float stepped = changed ? stepping_share(clips, std::span(memory.leaf).first(memory.count)) : stepping;
+    const bool stops = stepping == 0 || (stepping < k_stopping && stepping < stepped);
+    // Who comes to a stand changes no more once he stands.
+    const float foresight =
+        stepping < stepped ? std::min(k_foresight, dt * stepping / (stepped - stepping)) : k_foresight;
     const std::array<FootOffset, 2> held = memory.hold;
     if (changed && memory.count > 0) take_up_change(paths, clips, blend, memory);
     if (changed) remember(blend, memory);
@@ -229,7 +239,7 @@ void hold_feet(const LegPaths& paths, std::span<const PackedClip> clips, const F
         turn_with_root(back, memory.drift[side].x, memory.drift[side].z);
         turn_with_root(back, memory.hold[side].x, memory.hold[side].z);
     }
-    const std::array<bool, 2> swings = let_swings_go(paths, clips, blend, dt, memory);
+    const std::array<bool, 2> swings = let_swings_go(paths, clips, blend, foresight, dt, memory);
     settle(paths, {stops && !swings[1], stops && !swings[0]}, dt, memory);
 }
 

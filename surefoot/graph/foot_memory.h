@@ -42,8 +42,8 @@ void hold_feet(const LegPaths& paths, std::span<const PackedClip> clips, const F
 
 /// Whether nothing stepped in the last step: no clip that was seen has a phase, and what begins may begin anywhere.
 bool stood(std::span<const PackedClip> clips, const FootMemory& memory) noexcept;
-/// The phase [0, 1) in which to begin: the foot that trails on the way to go is about to lift. `blend.phase` as it is
-/// where feet stand side by side, or the way is a turn on the spot.
+/// The phase [0, 1) in which to begin: a foot is about to lift. The one that trails on the way to go; of feet side by
+/// side the one whose turn comes sooner; turning on the spot the one on that side.
 float starting_phase(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
                      const FootMemory& memory) noexcept;
 

@@ -83,7 +83,7 @@ TEST(FootBlend, planted_feet_of_blends_stand_still_and_on_the_ground) {
 }
 
 /// The longest way [m] of a foot that lies, heel and ball, while a character stands, goes, turns and stands again.
-float longest_drag(bool remembers) {
+float longest_drag(bool remembers, float speed, float stop) {
     const Character& character = default_character();
     const std::size_t joints = character.skeleton->rest.size();
     std::vector<Transform> locals(joints), models(joints);
@@ -93,7 +93,7 @@ float longest_drag(bool remembers) {
     test::DragMeter drag;
     for (float time = 0; time < 8; time += k_dt) {
         LocomotionRequest wanted;
-        if (time > 1 && time < 6) wanted.speed = 1.4f;
+        if (time > 1 && time < stop) wanted.speed = speed;
         if (time > 3 && time < 5) wanted.turn = 40;
         request = approach(request, wanted, k_dt);
         if (!remembers) state.feet = {};
@@ -106,9 +106,11 @@ float longest_drag(bool remembers) {
     return drag.longest();
 }
 
-TEST(FootBlend, standing_feet_stay_while_weights_change) {
-    EXPECT_LT(longest_drag(true), 0.04f);
-    EXPECT_GT(longest_drag(false), 0.08f) << "without what a blend remembers";
+TEST(FootBlend, standing_feet_stay_while_weights_change_whenever_that_is) {
+    for (const float speed : {0.5f, 1.4f, 2.5f})
+        for (float stop = 5.5f; stop < 6.6f; stop += 0.06f)
+            EXPECT_LT(longest_drag(true, speed, stop), 0.05f) << speed << " m/s until " << stop << " s";
+    EXPECT_GT(longest_drag(false, 1.4f, 6), 0.08f) << "without what a blend remembers";
 }
 
 TEST(FootBlend, who_stands_goes_off_with_the_foot_that_trails) {
