@@ -25,6 +25,12 @@ bool skate_met(const Walk& w) {
            (w.info.path != "host-turns" || w.metrics.skate_cm_s <= k_most_by_host);
 }
 
+/// Some clips drag their own feet.
+bool drag_met(const Walk& w) {
+    constexpr double k_most = 3, k_most_more = 1;  // [cm]
+    return w.metrics.drag_cm <= k_most || w.metrics.drag_cm <= w.own.drag_cm + k_most_more;
+}
+
 constexpr double k_percent = 100;
 
 // A mark compares so that a value that is no number misses it.
@@ -38,7 +44,8 @@ constexpr WalkFigure k_figures[] = {
      nullptr},
     {"skate_weighted_cm", "weighted", "cm", 3, 1, [](const Walk& w) { return w.metrics.skate_weighted_cm; }, nullptr,
      nullptr},
-    {"drag_cm", "drag", "cm", 1, 1, [](const Walk& w) { return w.metrics.drag_cm; }, nullptr, nullptr},
+    {"drag_cm", "drag", "cm", 1, 1, [](const Walk& w) { return w.metrics.drag_cm; },
+     "at most 3, or 1 above the flat twin's own", drag_met},
     {"penetration_heel_ball_cm", "heel, ball sunk", "cm", 2, 1,
      [](const Walk& w) { return w.metrics.penetration_heel_ball_cm; }, "at most 1.5",
      [](const Walk& w) { return w.metrics.penetration_heel_ball_cm <= 1.5; }},

@@ -35,6 +35,11 @@ const std::map<std::string, std::function<void(MeasuredWalk&)>> k_bad{
          w.twin.skate_cm_s = 1;
          w.metrics.skate_cm_s = 1.51;
      }},
+    {"drag_cm",
+     [](MeasuredWalk& w) {
+         w.own.drag_cm = 2.5;
+         w.metrics.drag_cm = 3.51;
+     }},
     {"penetration_heel_ball_cm", [](MeasuredWalk& w) { w.metrics.penetration_heel_ball_cm = 1.51; }},
     {"penetration_toe_mid_cm", [](MeasuredWalk& w) { w.metrics.penetration_toe_mid_cm = 2.51; }},
     {"penetration_mean_cm", [](MeasuredWalk& w) { w.metrics.penetration_mean_cm = 0.21; }},
