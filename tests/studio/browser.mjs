@@ -43,6 +43,8 @@ export async function serveStatic(built) {
   return { url: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
 }
 
-/** Until the engine has given its first frames. */
-export const untilItMoves = (page) =>
-  page.waitForFunction(() => globalThis.studio?.session.frameCount.value > 2, null, { timeout: 60000 });
+/** Until the engine has given its first frames, and the workspace is there with all that it begins with. */
+export async function untilItMoves(page) {
+  await page.waitForFunction(() => globalThis.studio?.session.frameCount.value > 2);
+  await page.evaluate(() => globalThis.studio.entered());
+}

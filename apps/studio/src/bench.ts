@@ -33,8 +33,14 @@ let opening: EngineClient | null = null;
 let opened: Promise<unknown> = Promise.resolve();
 /** The spaces of who is on the stage. */
 let staged = '';
-/** Steps come one after the other. */
+/** What works on the project comes one after the other, and so does what puts another in its place. */
 let last: Promise<unknown> = Promise.resolve();
+
+function inTurn<Result>(body: () => Promise<Result>): Promise<Result> {
+  const done = last.then(body);
+  last = done.catch(() => undefined);
+  return done;
+}
 
 const k_words: Record<string, string> = { reading: 'Reading files', measuring: 'Measuring clips', probing: 'Playing blends' };
 
@@ -95,11 +101,13 @@ async function replaceBy(next: EngineClient, load: (client: EngineClient) => Pro
   try {
     await next.call('start');
     const facts = await load(next);
-    staged = '';
-    await show(next, facts);
-    client?.stop();
-    client = next;
-    attempts.value = [];
+    await inTurn(async () => {
+      staged = '';
+      await show(next, facts);
+      client?.stop();
+      client = next;
+      attempts.value = [];
+    });
     return true;
   } catch (error) {
     next.stop();
@@ -134,23 +142,25 @@ export async function settled(): Promise<void> {
   while (busy.value) await new Promise((resolve) => setTimeout(resolve, k_look_every_ms));
 }
 
-/** Asks the bench for something, after what was asked before. */
-export function ask<Name extends CallName>(name: Name, ...args: Parameters<Calls[Name]>): Promise<ReturnType<Calls[Name]>> {
-  const asked = last.then(() => {
-    if (!client) throw new Error('There is no project.');
-    return client.call(name, ...args);
+/** Does something with the bench, after what was asked before and with nothing else between. It must not `ask` itself. */
+export function withBench<Result>(body: (bench: EngineClient) => Promise<Result>): Promise<Result> {
+  const meant = client;
+  return inTurn(() => {
+    if (!meant) throw new Error('There is no project.');
+    if (meant !== client) throw new Stopped(); // another project has come: this was not meant for it
+    return body(meant);
   });
-  last = asked.catch(() => undefined);
-  return asked;
 }
+
+export const ask = <Name extends CallName>(name: Name, ...args: Parameters<Calls[Name]>): Promise<ReturnType<Calls[Name]>> =>
+  withBench((bench) => bench.call(name, ...args));
 
 type Step = 'benchThreshold' | 'benchResetThresholds' | 'benchTakeBack' | 'benchLeaveOut' | 'benchUndo' | 'benchRedo' | 'benchProbe';
 
 /** A step, and what the project is then. Where it fails, nothing has changed. */
 async function step<Name extends Step>(failure: string, name: Name, ...args: Parameters<Calls[Name]>): Promise<void> {
   try {
-    const facts = (await ask(name, ...args)) as BenchFacts;
-    if (client) await show(client, facts);
+    await withBench(async (bench) => show(bench, (await bench.call(name, ...args)) as BenchFacts));
   } catch (error) {
     if (!(error instanceof Stopped)) fail(failure, error);
   }
@@ -202,8 +212,11 @@ export const resetThresholds = () => step('The thresholds could not be reset', '
 export const mend = (id = '') =>
   changing(id === '' ? 'Mending what can be mended' : 'Mending', async () => {
     try {
-      const tried = await ask('benchFix', id);
-      if (client) await show(client, await client.call('bench'));
+      const tried = await withBench(async (bench) => {
+        const tried = await bench.call('benchFix', id);
+        await show(bench, await bench.call('bench'));
+        return tried;
+      });
       attempts.value = tried;
       const done = tried.filter((each) => each.done).length;
       say(done === 0 ? 'Nothing could be mended here: the reasons stand with the findings.' : `${done} ${done === 1 ? 'repair was' : 'repairs were'} made. Undo takes ${done === 1 ? 'it' : 'them'} back.`);
@@ -232,8 +245,10 @@ export async function showHeat(figure: string): Promise<void> {
   await long('Playing blends and measuring them', () => probeAgain(figure));
 }
 
-/** It is on disk as it is now. */
-export async function markSaved(): Promise<void> {
-  await ask('benchSaved');
-  project.value = await ask('bench');
-}
+/** Writes its files, all or only those that are not saved, and the names of those that have gone; then it is saved as it is. */
+export const saveBy = (all: boolean, write: (made: ReturnType<Calls['benchFiles']>) => Promise<void>) =>
+  withBench(async (bench) => {
+    await write(await bench.call('benchFiles', all));
+    await bench.call('benchSaved');
+    project.value = await bench.call('bench');
+  });

@@ -61,7 +61,6 @@ function take(frame: CrowdFrame, seconds: number, renderingMs: number | null): v
 
 /** So many seconds on, whether it plays or not. */
 async function stepCrowd(seconds: number): Promise<void> {
-  while (engine.crowdBusy) await new Promise((resolve) => setTimeout(resolve, 1));
   take(await engine.advanceCrowd(seconds, eye, lastingPoses.value, crowdFeet.value), seconds, null);
 }
 

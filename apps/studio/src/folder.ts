@@ -30,9 +30,36 @@ async function ask(path: string, options: RequestInit = {}): Promise<Response> {
   return response;
 }
 
+const k_look_every_ms = 3000;
+let writes = 0;
+const watchers: ((listing: Listing) => void)[] = [];
+
+async function look(): Promise<void> {
+  if (document.hidden) return;
+  const before = writes, listing = await list();
+  if (writes !== before) return; // some of it may be from before we wrote
+  for (const each of watchers) each(listing);
+}
+
+/** What is to hear of what is in the folder, now and then. */
+export function watch(watcher: (listing: Listing) => void): void {
+  if (!isServed) return;
+  // A server that has gone is told of when it is needed.
+  if (watchers.push(watcher) === 1) setInterval(() => void look().catch(() => undefined), k_look_every_ms);
+}
+
 const addressOf = (file: string) => `api/files/${file.split('/').map(encodeURIComponent).join('/')}`;
 
 export const list = async () => (await (await ask('api/project')).json()) as Listing;
 export const read = async (file: string) => new Uint8Array(await (await ask(addressOf(file))).arrayBuffer());
-export const write = (file: string, bytes: Uint8Array<ArrayBuffer>) => ask(addressOf(file), { method: 'PUT', body: bytes });
-export const remove = (file: string) => ask(addressOf(file), { method: 'DELETE' });
+
+async function change(file: string, options: RequestInit): Promise<void> {
+  ++writes;
+  try {
+    await ask(addressOf(file), options);
+  } finally {
+    ++writes;
+  }
+}
+export const write = (file: string, bytes: Uint8Array<ArrayBuffer>) => change(file, { method: 'PUT', body: bytes });
+export const remove = (file: string) => change(file, { method: 'DELETE' });

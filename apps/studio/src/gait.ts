@@ -1,6 +1,6 @@
 // The gait that is shaped: what is asked for, kept as plain data, and what the engine makes of it.
 import { batch, signal } from '@preact/signals';
-import { changeBody, engine, fail, ownShow, playing, showNewGround, showsGait, terrain } from './session';
+import { changeBody, engine, fail, showNewGround, showsGait, take, terrain } from './session';
 import type { GaitFacts, GaitPlayed, RigFacts } from './engine/messages';
 import { gaitWork, type GaitWork } from './settings';
 import { Undo } from './undo';
@@ -23,6 +23,8 @@ export const part = () => undo.part();
 /** What the engine plays. */
 let read: Pick<GaitWork, 'name' | 'text'> | null = null;
 let worn: GaitWork['rig'] = null;
+/** Nothing is left of either: somebody else has come on the stage. */
+let isAnew = false;
 
 const words = (error: unknown) => (error instanceof Error ? error.message : String(error));
 
@@ -31,12 +33,19 @@ const valuesOf = (known: { parameters: readonly { name: string; initial: number 
   known.parameters.map((each) => values[each.name] ?? each.initial);
 
 let working = false;
+let following = Promise.resolve();
 /** Has the engine do what is in `gaitWork`. The last change wins: while one is on its way, others may have come. */
-async function follow(): Promise<void> {
-  if (working) return;
+function follow(): Promise<void> {
+  if (!working) following = catchUp();
+  return following;
+}
+
+async function catchUp(): Promise<void> {
   working = true;
-  for (let tried: GaitWork | null = null; tried !== gaitWork.value && showsGait(); ) {
+  for (let tried: GaitWork | null = null; (tried !== gaitWork.value || isAnew) && showsGait(); ) {
     tried = gaitWork.value;
+    if (isAnew) read = worn = null;
+    isAnew = false;
     try {
       if (tried) await make(tried);
       complaint.value = '';
@@ -89,8 +98,8 @@ async function play(work: GaitWork): Promise<void> {
   batch(() => {
     curves.value = made.curves as Float32Array<ArrayBuffer>;
     if (made.ground) terrain.value = made.ground;
+    take(made.frame); // it is seen at once
   });
-  if (!playing.value) await ownShow.step(0, 1); // it is seen at once
 }
 
 /** `label`: changes that follow each other under one are one step of undo. */
@@ -123,10 +132,13 @@ export function gaitKeys(event: KeyboardEvent): void {
 
 const isFitted = (name: string) => gaits.value.some((each) => each.name === name && each.fitted);
 
+let chosen = '';
 /** Another gait on the same body. Between fitted gaits a personality stays: they have the same sliders. */
 export async function choose(name: string): Promise<void> {
+  chosen = name;
   try {
     const text = isFitted(name) ? null : await engine.call('gaitSource', name);
+    if (name !== chosen) return; // meanwhile another one is
     const before = gaitWork.value;
     const values = text === null && before?.text === null ? before.values : {};
     const next: GaitWork = { name, text, values, speed: null, turn: null, slope: 0, rig: before?.rig ?? null };
@@ -157,16 +169,40 @@ export function personality(work: GaitWork): string {
   return `${JSON.stringify({ mine }, null, 2)}\n`;
 }
 
+const k_type_pause_ms = 250;
+/** What is being written and not read yet. */
+let draft: string | null = null;
+let pausing = 0;
+
+/** A text is read when its writer pauses, or goes. */
+export function typed(text: string): void {
+  draft = text;
+  clearTimeout(pausing);
+  pausing = window.setTimeout(readDraft, k_type_pause_ms);
+}
+
+export function readDraft(): void {
+  if (draft === null) return;
+  const text = draft;
+  draft = null;
+  void write(text);
+}
+addEventListener('pagehide', readDraft);
+
+let writes = 0;
 /** What was written: expressions, or a personality. */
-export async function write(text: string): Promise<void> {
-  if (gaitWork.value?.text !== null) {
+async function write(text: string): Promise<void> {
+  const before = gaitWork.value, mine = ++writes;
+  if (before?.text !== null) {
     change('text', { text });
     return;
   }
   try {
-    setValues('text', await engine.call('gaitPersonality', text));
+    const values = await engine.call('gaitPersonality', text);
+    // What was changed meanwhile is newer.
+    if (mine === writes && gaitWork.value === before) setValues('text', values);
   } catch (error) {
-    complaint.value = words(error);
+    if (mine === writes) complaint.value = words(error);
   }
 }
 
@@ -175,7 +211,7 @@ export async function loadGait(): Promise<void> {
   try {
     if (gaits.value.length === 0) [gaits.value, rigs.value] = await Promise.all([engine.call('gaits'), engine.call('rigs')]);
     if (!gaitWork.value) await choose(k_first_gait);
-    read = worn = null;
+    isAnew = true;
     await follow();
     if (!gait.value || complaint.value !== '') {
       // What was kept cannot be done as it stands: there is something to see meanwhile.

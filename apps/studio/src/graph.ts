@@ -2,7 +2,7 @@
 import { batch, computed, effect, signal } from '@preact/signals';
 import type { GraphFacts, GraphLive, GraphMachine, GraphTransition } from './engine/messages';
 import k_first_graph from './graphs/stroll.json?raw';
-import { escaped, freeName, hasChanged, inLine, readFromFolder, valueAt, whole, writeToFolder, type Json } from './graph_file';
+import { escaped, freeName, hasChanged, inLine, readFromFolder, valueAt, watchFile, whole, writeToFolder, type Json } from './graph_file';
 import { engine, fail, frameCount, ownShow, problem, say, showNewGround, showsGraph, type Show } from './session';
 import { graphFile, graphText } from './settings';
 import { Undo } from './undo';
@@ -163,17 +163,21 @@ export const openFromFolder = async (name: string) => {
   }
 };
 
+let saving = false;
 /** Into the served folder; asks first where another program has written the file. */
 export async function saveInFolder(): Promise<void> {
   const name = graphFile.value.name ?? `${graph.value!.name}.json`;
   const put = async () => {
     problem.value = null;
+    saving = true;
     try {
       await writeToFolder(name, graphText.value ?? k_first_graph);
       graphFile.value = { ...graphFile.value, name };
       say(`Saved as ${name}.`);
     } catch (error) {
       fail(`${name} could not be saved`, error);
+    } finally {
+      saving = false;
     }
   };
   try {
@@ -188,11 +192,24 @@ export async function saveInFolder(): Promise<void> {
     text: 'It was written since it was opened here, or it is another graph of that name. Saving puts what you see in its place.',
     actions: [
       { label: 'Save all the same', run: () => void put() },
-      { label: 'Open what is on disk', run: () => { problem.value = null; void openFromFolder(name); } },
+      openOther(name),
       { label: 'Neither', run: () => (problem.value = null) },
     ],
   };
 }
+
+const openOther = (name: string) => ({ label: 'Open what is on disk', run: () => { problem.value = null; void openFromFolder(name); } });
+
+watchFile(() => graphFile.value.name, (name) => {
+  if (!showsGraph() || saving || problem.value) return false;
+  problem.value = {
+    title: `${name} has changed on disk`,
+    question: true,
+    text: 'Another program has written it. Opening it puts it in the place of what you see; undo brings that back.',
+    actions: [openOther(name), { label: 'Go on with this', run: () => (problem.value = null) }],
+  };
+  return true;
+});
 
 export function setParameter(index: number, value: number): void {
   const parameter = graph.value?.parameters[index];

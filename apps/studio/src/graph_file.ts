@@ -1,5 +1,6 @@
 // A graph's file: places in it, what one writes there, and where it is kept.
 import * as folder from './folder';
+import { graphStamps } from './settings';
 
 /** Any JSON value. */
 export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
@@ -80,12 +81,9 @@ async function textOf(name: string, others: ReadonlyMap<string, string>): Promis
   throw new Error(`This graph extends ${name}: choose both files together.`);
 }
 
-/** When a file of the folder was written last, as far as we know. */
-const known = new Map<string, string>();
-
-async function stampOf(name: string): Promise<string> {
-  return (await folder.list()).files.find(({ path }) => path === name)?.changed ?? '';
-}
+const stampIn = ({ files }: folder.Listing, name: string) => files.find(({ path }) => path === name)?.changed ?? '';
+const stampOf = async (name: string) => stampIn(await folder.list(), name);
+const know = (name: string, stamp: string) => (graphStamps.value = { ...graphStamps.value, [name]: stamp });
 
 export const isServed = folder.isServed;
 
@@ -98,14 +96,33 @@ export async function graphsInFolder(): Promise<string[]> {
 export async function readFromFolder(name: string): Promise<string> {
   const stamp = await stampOf(name);
   const text = new TextDecoder().decode(await folder.read(name));
-  known.set(name, stamp);
+  know(name, stamp);
   return text;
 }
 
 /** True where another program has written the file since we last saw it: saving puts ours in its place. */
-export const hasChanged = async (name: string) => (await stampOf(name)) !== (known.get(name) ?? '');
+export async function hasChanged(name: string): Promise<boolean> {
+  const now = await stampOf(name);
+  if (now === (graphStamps.value[name] ?? '')) return false;
+  told = changeOf(name, now);
+  return true;
+}
 
 export async function writeToFolder(name: string, text: string): Promise<void> {
   await folder.write(name, new TextEncoder().encode(text));
-  known.set(name, await stampOf(name));
+  know(name, await stampOf(name));
+}
+
+/** Of which change the user has heard. */
+let told = '';
+const changeOf = (name: string, stamp: string) => `${name} ${stamp}`;
+
+/** Tells of each change that another program makes to the file that `open` names, once, where `tell` takes notice. */
+export function watchFile(open: () => string | null, tell: (name: string) => boolean): void {
+  folder.watch((listing) => {
+    const name = open(), known = name === null ? undefined : graphStamps.value[name];
+    if (name === null || known === undefined) return;
+    const now = stampIn(listing, name), change = changeOf(name, now);
+    if (now !== '' && now !== known && change !== told && tell(name)) told = change;
+  });
 }

@@ -23,15 +23,22 @@ async function store(mode: IDBTransactionMode): Promise<IDBObjectStore> {
   return (await request(opening)).transaction(k_store, mode).objectStore(k_store);
 }
 
-/** Where storage is closed to us nothing is kept, and nothing is missed but that. */
-async function quietly<T>(body: () => Promise<T>): Promise<T | undefined> {
-  try {
-    return await body();
-  } catch {
-    return undefined;
-  }
+/** True once it is written, not only asked for. */
+function written({ transaction }: IDBRequest): Promise<boolean> {
+  return new Promise((resolve) => {
+    transaction!.oncomplete = () => resolve(true);
+    transaction!.onabort = () => resolve(false);
+  });
 }
 
-export const keepWork = (work: KeptWork) => quietly(async () => request((await store('readwrite')).put(work, k_key)));
-export const forgetWork = () => quietly(async () => request((await store('readwrite')).delete(k_key)));
-export const keptWork = () => quietly(async () => request<KeptWork | undefined>((await store('readonly')).get(k_key)));
+let last: Promise<unknown> = Promise.resolve();
+/** One after the other, as they were asked for. Where storage is closed to us nothing is kept, and nothing is missed but that. */
+function inTurn<T>(body: () => Promise<T>, otherwise: T): Promise<T> {
+  const done = last.then(body).catch(() => otherwise);
+  last = done;
+  return done;
+}
+
+export const keepWork = (work: KeptWork) => inTurn(async () => written((await store('readwrite')).put(work, k_key)), false);
+export const forgetWork = () => inTurn(async () => written((await store('readwrite')).delete(k_key)), false);
+export const keptWork = () => inTurn(async () => request<KeptWork | undefined>((await store('readonly')).get(k_key)), undefined);

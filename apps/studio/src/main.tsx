@@ -7,7 +7,7 @@ import * as crowd from './crowd';
 import * as graph from './graph';
 import { listen } from './input';
 import * as bench from './bench';
-import { openDropped, openFirst, openGiven } from './project';
+import { isKept, openDropped, openFirst, openGiven } from './project';
 import { course, gradeDeg, graphText, theme, workspace, type Theme, type Workspace } from './settings';
 import { isDark } from './view/theme';
 import { ProblemCard } from './ui/problem';
@@ -194,6 +194,8 @@ Object.assign(globalThis, {
   studio: {
     session,
     engine: session.engine,
+    entered: () => entering,
+    isKept,
     bench,
     gait,
     crowd: () => ({ facts: crowd.crowd.value?.facts, posed: crowd.posed.value, costs: crowd.costs, texels: crowd.texels.length, heights: [...crowd.texels.subarray(0, 4 * (crowd.crowd.value?.facts.count ?? 0))].filter((_, i) => i % 4 === 1) }),

@@ -2,6 +2,7 @@
 import { computed, effect, signal } from '@preact/signals';
 import { unzipSync, zipSync } from 'fflate';
 import * as bench from './bench';
+import { download } from './download';
 import * as folder from './folder';
 import { forgetWork, keepWork, keptWork } from './kept_work';
 import { fail, openDefault, problem, say } from './session';
@@ -37,6 +38,10 @@ async function openServed(listing: folder.Listing): Promise<void> {
 const k_keep_after_ms = 700;
 let home: string | null = null; // the served folder's name
 let keeping = 0;
+/** Counts what there was to keep: what is kept late must not take the place of what came after. */
+let wish = 0;
+/** This browser keeps what is unsaved as it is now, and nothing else. */
+export const isKept = signal(false);
 /** Clips that were analysed here are worth keeping even before anything is done to them. */
 const analysed = signal(false);
 export const worthSaving = computed(() => {
@@ -46,22 +51,42 @@ export const worthSaving = computed(() => {
 
 /** After every change the work is kept; once it is saved there is nothing to keep. */
 effect(() => {
-  const now = bench.project.value;
-  clearTimeout(keeping);
+  const now = bench.project.value, mine = unkept();
   if (!now) return;
-  if (!now.unsaved) void forgetWork();
-  else if (worthSaving.value)
-    keeping = window.setTimeout(() => {
-      void bench.ask('benchFiles', true)
-        .then(({ files }) => keepWork({ files, folder: inFolder.value ? home : null, known }))
-        .catch(() => undefined);
-    }, k_keep_after_ms);
+  if (!now.unsaved) void forgetWork().then((isGone) => mine === wish && (isKept.value = isGone));
+  else if (worthSaving.value) keeping = window.setTimeout(() => void keep(mine).catch(() => undefined), k_keep_after_ms);
 });
+
+/** What was about to be kept no longer is; the number of what comes next. */
+function unkept(): number {
+  clearTimeout(keeping);
+  isKept.value = false;
+  return ++wish;
+}
+
+async function keep(mine: number): Promise<void> {
+  const { files } = await bench.ask('benchFiles', true);
+  if (mine !== wish) return;
+  const isStored = await keepWork({ files, folder: inFolder.value ? home : null, known });
+  if (mine === wish) isKept.value = isStored;
+}
+
+/** Who leaves sooner than work can be kept is asked by the browser. */
+addEventListener('beforeunload', (event) => worthSaving.value && !isKept.value && !leaving && event.preventDefault());
+let leaving = false;
+
+async function dropWork(): Promise<void> {
+  unkept();
+  leaving = true;
+  await forgetWork();
+  location.reload();
+}
 
 /** What was not saved before the page went away, if it belongs here. */
 async function openKept(listing?: folder.Listing): Promise<boolean> {
   const kept = await keptWork();
-  if (!kept || (kept.folder !== null && (kept.folder !== home || !listing || kept.known !== stampOf(listing)))) return false;
+  // Where the folder's project has changed meanwhile that is said next: see folder.watch below.
+  if (!kept || (kept.folder !== null && (kept.folder !== home || !listing))) return false;
   try {
     if (!(await bench.openFiles(kept.files, false))) return false;
   } catch {
@@ -71,13 +96,15 @@ async function openKept(listing?: folder.Listing): Promise<boolean> {
   analysed.value = true;
   known = kept.known;
   inFolder.value = kept.folder !== null;
+  unkept();
+  isKept.value = true;
   problem.value = {
     title: 'Your unsaved work is here again',
     text: `“${bench.project.value!.name}” had changes when this page was left. They are kept in this browser until they are saved.`,
     question: true,
     actions: [
       { label: 'Go on with it', run: () => (problem.value = null) },
-      { label: 'Drop the changes', run: () => void forgetWork().then(() => location.reload()) },
+      { label: 'Drop the changes', run: () => void dropWork() },
     ],
   };
   return true;
@@ -191,6 +218,7 @@ export async function openDropped(items: DataTransferItemList): Promise<void> {
   if (given.length > 0) await openGiven(given);
 }
 
+let saving = false;
 /** Saves what is new into the served folder, project.json last. */
 async function saveInFolder(): Promise<void> {
   saving = true;
@@ -202,21 +230,25 @@ async function saveInFolder(): Promise<void> {
 }
 
 async function writeFiles(): Promise<void> {
-  const { files, gone } = await bench.ask('benchFiles', false);
-  const order = [...files].sort(([a], [b]) => Number(a === 'project.json') - Number(b === 'project.json'));
-  for (const [file, bytes] of order) await folder.write(file, bytes);
-  const listing = await folder.list();
-  const there = new Set(listing.files.map(({ path }) => path));
-  for (const file of gone) if (there.has(file)) await folder.remove(file);
-  known = stampOf(listing);
-  await bench.markSaved();
-  say(`Saved in the folder ${listing.folder ?? ''}.`);
+  let name = '';
+  await bench.saveBy(false, async ({ files, gone }) => {
+    const order = [...files].sort(([a], [b]) => Number(a === 'project.json') - Number(b === 'project.json'));
+    for (const [file, bytes] of order) await folder.write(file, bytes);
+    const listing = await folder.list();
+    const there = new Set(listing.files.map(({ path }) => path));
+    for (const file of gone) if (there.has(file)) await folder.remove(file);
+    known = stampOf(listing);
+    name = listing.folder ?? '';
+  });
+  say(`Saved in the folder ${name}.`);
 }
 
+let told = ''; // of which change the user was asked
 /** Asks first where somebody else has written the project meanwhile. */
 async function saveUnlessChanged(): Promise<void> {
   const listing = await folder.list();
   if (stampOf(listing) === known) return saveInFolder();
+  told = stampOf(listing);
   problem.value = {
     title: 'The project has changed on disk',
     question: true,
@@ -229,15 +261,12 @@ async function saveUnlessChanged(): Promise<void> {
   };
 }
 
-const k_look_every_ms = 3000;
-let told = ''; // of which change the user was asked
-let saving = false;
 
 /** Asks once a change where another program has written the project that is open here. */
-async function lookAtFolder(): Promise<void> {
-  if (document.hidden || !inFolder.value || known === '' || saving || problem.value || bench.busy.value) return;
-  const listing = await folder.list(), now = stampOf(listing);
-  if (now === '' || now === known || now === told || saving || problem.value) return;
+folder.watch((listing) => {
+  if (!inFolder.value || known === '' || saving || problem.value || bench.busy.value) return;
+  const now = stampOf(listing);
+  if (now === '' || now === known || now === told) return;
   told = now;
   problem.value = {
     title: 'The project has changed on disk',
@@ -248,28 +277,22 @@ async function lookAtFolder(): Promise<void> {
       { label: 'Go on with this', run: () => (problem.value = null) },
     ],
   };
-}
-if (folder.isServed) setInterval(() => void lookAtFolder().catch(() => undefined), k_look_every_ms); // a server that has gone is told of when it is needed
+});
 
 function settle(work: Promise<void>): void {
   problem.value = null;
   void work.catch((error: unknown) => fail('This did not work', error));
 }
 
-async function download(): Promise<void> {
-  const { files } = await bench.ask('benchFiles', true);
-  const name = bench.project.value!.name;
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([zipSync(Object.fromEntries(files), { level: 6 })]));
-  link.download = `${name.replace(/[^\p{L}\p{N} ._-]/gu, '_')}.zip`;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-  await bench.markSaved();
-}
+const saveAsDownload = () =>
+  bench.saveBy(true, async ({ files }) => {
+    const name = bench.project.value!.name.replace(/[^\p{L}\p{N} ._-]/gu, '_');
+    download(`${name}.zip`, zipSync(Object.fromEntries(files), { level: 6 }));
+  });
 
 export async function save(): Promise<void> {
   try {
-    await (inFolder.value ? saveUnlessChanged() : download());
+    await (inFolder.value ? saveUnlessChanged() : saveAsDownload());
   } catch (error) {
     fail('The project could not be saved', error);
   }

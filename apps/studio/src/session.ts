@@ -34,6 +34,7 @@ export let frame = new Float32Array(0);
 const k_frame_s = 1 / 60;
 const k_most_frames = 6; // at a time: a page that was asleep does not catch up
 const k_metrics_every_s = 0.5;
+const k_said_ms = 5000;
 
 const reload = { label: 'Reload the page', run: () => location.reload() };
 const dismiss = { label: 'Dismiss', run: () => (problem.value = null) };
@@ -52,68 +53,78 @@ export const engine = new EngineClient((message) => {
   failForGood('The engine stopped', `${message}. Your choices are kept; reloading starts it again.`);
 });
 
+let silence = 0;
+
 export function say(text: string): void {
   notice.value = text;
-  setTimeout(() => notice.value === text && (notice.value = ''), 5000);
+  clearTimeout(silence);
+  silence = window.setTimeout(() => (notice.value = ''), k_said_ms);
 }
 
-/** While somebody else comes on the stage nobody moves: frames of the one do not fit the other. */
+/** Frames of who was on the stage do not fit who is: while it changes nobody moves, and changes come one after the other. */
 let staging = 0;
+let lastChange: Promise<unknown> = Promise.resolve();
 
-async function stage(opened: Promise<Shown>, on?: string): Promise<void> {
+function onStage<Result>(change: () => Promise<Result>): Promise<Result> {
   ++staging;
-  try {
-    await put(await opened, on);
-  } finally {
-    --staging;
-  }
+  const changed = lastChange.then(change).finally(() => --staging);
+  lastChange = changed.catch(() => undefined);
+  return changed;
+}
+
+/** What has changed is shown with its first frame, not before. */
+async function reveal(change: () => void): Promise<void> {
+  const arrived = await engine.advance(0, 1, asked);
+  batch(() => {
+    change();
+    take(arrived);
+  });
+}
+
+/** Its walk begins anew: figures of the one before are not its own. */
+function beginWalk(): void {
+  history.clear();
+  forgetFigures();
 }
 
 /** Changes with every character that is opened. */
 export const opened = signal(0);
 
-async function put(character: Shown, on?: string): Promise<void> {
-  if (!character.facts.courses.includes(course.value)) course.value = 'hills';
-  await engine.call('setMode', mode.value);
-  const name = on && character.facts.courses.includes(on) ? on : course.value;
-  const ground = await engine.call('setCourse', name, gradeDeg.value);
-  shown = name;
-  batch(() => {
-    facts.value = character.facts;
-    mesh.value = character.mesh;
-    terrain.value = ground;
-    figures.value = null;
-    opened.value++;
-  });
-  history.clear();
-  await ownShow.step(0, 1);
-}
-
-/** Does what may change whose body is seen, while nobody moves. */
-export async function changeBody<Result>(change: () => Promise<Result>, shownBy: (result: Result) => Shown | null): Promise<Result> {
-  ++staging;
-  try {
-    await untilFree();
-    const result = await change(), next = shownBy(result);
-    if (!next) return result;
-    const arrived = await engine.advance(0, 1, asked);
-    batch(() => {
-      facts.value = next.facts;
-      mesh.value = next.mesh;
-      take(arrived);
+const open = (load: () => Promise<Shown>, on: () => string = () => course.value) =>
+  onStage(async () => {
+    const character = await load(), { courses } = character.facts;
+    if (!courses.includes(course.value)) course.value = 'hills';
+    await engine.call('setMode', mode.value);
+    const name = courses.includes(on()) ? on() : course.value;
+    const ground = await engine.call('setCourse', name, gradeDeg.value);
+    await reveal(() => {
+      shown = name;
+      facts.value = character.facts;
+      mesh.value = character.mesh;
+      terrain.value = ground;
+      beginWalk();
+      opened.value++;
     });
+  });
+
+/** Does what may change whose body is seen. */
+export const changeBody = <Result>(change: () => Promise<Result>, shownBy: (result: Result) => Shown | null) =>
+  onStage(async () => {
+    const result = await change(), next = shownBy(result);
+    if (next)
+      await reveal(() => {
+        facts.value = next.facts;
+        mesh.value = next.mesh;
+      });
     return result;
-  } finally {
-    --staging;
-  }
-}
+  });
 
 /** It goes by its own clips again, on its own body. */
 export const stopGuests = () => changeBody(() => engine.call('gaitStop'), (shown) => shown);
 
-export const openDefault = () => stage(engine.call('openDefault'));
+export const openDefault = () => open(() => engine.call('openDefault'));
 /** Who is to be on the stage from now on, on the course that is shown. */
-export const openPack = (bytes: Uint8Array) => stage(engine.call('openPack', bytes), shown);
+export const openPack = (bytes: Uint8Array) => open(() => engine.call('openPack', bytes), () => shown);
 
 /** Kept at once, so that a reload finds it, and taken back where it cannot be walked. */
 export async function setCourse(name: string, grade: number): Promise<void> {
@@ -133,14 +144,7 @@ export const shownCourse = () => shown;
 /** Walks another course for now; what the user chose stays chosen. */
 export async function showCourse(name: string, grade: number): Promise<boolean> {
   try {
-    const ground = await engine.call('setCourse', name, grade);
-    shown = name;
-    batch(() => {
-      terrain.value = ground;
-      figures.value = null;
-    });
-    history.clear();
-    await ownShow.step(0, 1);
+    await onStage(async () => showGround(await engine.call('setCourse', name, grade), name));
     return true;
   } catch (error) {
     fail('This course cannot be walked', error);
@@ -153,26 +157,19 @@ export const showsGraph = () => workspace.value === 'graph';
 export const showsCrowd = () => workspace.value === 'crowd';
 
 /** The engine has gone to another ground by itself: that of a gait. */
-export async function showNewGround(): Promise<void> {
-  const ground = await engine.call('ground');
-  shown = '';
-  batch(() => {
+export const showNewGround = () => onStage(async () => showGround(await engine.call('ground'), ''));
+
+const showGround = (ground: TerrainMesh, name: string) =>
+  reveal(() => {
+    shown = name;
     terrain.value = ground;
-    figures.value = null;
+    beginWalk();
   });
-  history.clear();
-  await ownShow.step(0, 1);
-}
 
 export function setMode(wanted: FootMode): void {
   mode.value = wanted;
-  figures.value = null;
+  forgetFigures();
   void engine.call('setMode', wanted);
-}
-
-/** Until no frame is on its way. */
-async function untilFree(): Promise<void> {
-  while (engine.busy) await new Promise((resolve) => setTimeout(resolve, 1));
 }
 
 /** What the timeline's buttons work on. */
@@ -185,16 +182,12 @@ export interface Show {
 }
 
 export const ownShow: Show = {
-  async restart() {
-    await engine.call('restart');
-    history.clear();
-    figures.value = null;
-    await ownShow.step(0, 1);
-  },
-  async step(frames, parts) {
-    await untilFree();
-    take(await engine.advance(frames, parts, asked));
-  },
+  restart: () =>
+    onStage(async () => {
+      await engine.call('restart');
+      await reveal(beginWalk);
+    }),
+  step: (frames, parts) => onStage(async () => take(await engine.advance(frames, parts, asked))),
   seconds: () => (facts.value ? (frame[facts.value.layout.time] ?? 0) : 0),
 };
 let show = ownShow;
@@ -225,7 +218,7 @@ export function steer(request: { speed: number; lateral: number; turn: number } 
   } else asked = held ?? (steered.value ? { speed: 0, lateral: 0, turn: 0 } : { patrol: patrolSpeed.value });
 }
 
-function take(arrived: Float32Array): void {
+export function take(arrived: Float32Array): void {
   frame = arrived as Float32Array<ArrayBuffer>;
   if (facts.value) history.add(arrived, facts.value.layout);
   frameCount.value++;
@@ -253,10 +246,20 @@ export function tick(seconds: number): void {
   void measure();
 }
 
+/** Of which walk the figures are: a measuring under way may be of the one before. */
+let walk = 0;
+
+function forgetFigures(): void {
+  ++walk;
+  figures.value = null;
+}
+
 async function measure(): Promise<void> {
   measuring = true;
+  const measured = walk;
   try {
-    figures.value = await engine.call('metrics');
+    const found = await engine.call('metrics');
+    if (measured === walk) figures.value = found;
   } catch (error) {
     fail('The walk could not be measured', error);
   }

@@ -98,5 +98,9 @@ export const graphFile = kept<{ name: string | null; extended: string | null }>(
   return typeof file === 'object' && file !== null && isName(file.name) && isName(file.extended);
 });
 
+/** When files of graphs in the served folder were written last, as far as we know. */
+export const graphStamps = kept<Record<string, string>>('graph.stamps', {}, (value) =>
+  typeof value === 'object' && value !== null && Object.values(value).every((each) => typeof each === 'string'));
+
 /** The graph that was worked on, as text; null: the first one. */
 export const graphText = kept<string | null>('graph', null, (value) => value === null || typeof value === 'string');

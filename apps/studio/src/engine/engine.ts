@@ -10,25 +10,26 @@ export class Stopped extends Error {}
 class Exchange<Frame> {
   #spare = new ArrayBuffer(0);
   #shown = new ArrayBuffer(0);
-  #waiting: ((frame: Frame) => void) | undefined;
+  /** The first one is on its way, the others wait until it is there. */
+  readonly #asked: { send: (buffer: ArrayBuffer) => void; resolve: (frame: Frame) => void }[] = [];
 
   get busy(): boolean {
-    return this.#waiting !== undefined;
+    return this.#asked.length > 0;
   }
 
-  /** `send` posts the buffer that is free. */
+  /** `send` posts the buffer that is free, once the frames that were asked for before have come. */
   ask(send: (buffer: ArrayBuffer) => void): Promise<Frame> {
-    if (this.busy) throw new Error('one frame at a time');
-    send(this.#spare);
-    return new Promise((resolve) => (this.#waiting = resolve));
+    return new Promise((resolve) => {
+      this.#asked.push({ send, resolve });
+      if (this.#asked.length === 1) send(this.#spare);
+    });
   }
 
   arrived(buffer: ArrayBuffer, frame: Frame): void {
     this.#spare = this.#shown;
     this.#shown = buffer;
-    const resolve = this.#waiting;
-    this.#waiting = undefined;
-    resolve?.(frame);
+    this.#asked.shift()?.resolve(frame);
+    this.#asked[0]?.send(this.#spare);
   }
 }
 

@@ -58,8 +58,8 @@ export interface Calls extends Pick<Surefoot, Forwarded> {
   openDefault(): Shown;
   openPack(bytes: Uint8Array): Shown;
   setCourse(name: string, gradeDeg: number): TerrainMesh;
-  /** Plays, and gives the curves of what the gait does, and the ground where that is another one now. */
-  gaitPlay(values: number[], speed: number, turn: number, slope: number): { curves: Float32Array; ground: TerrainMesh | null };
+  /** Plays, and gives the frame as it is then, the curves of what the gait does, and the ground where that is another one now. */
+  gaitPlay(values: number[], speed: number, turn: number, slope: number): { frame: Float32Array; curves: Float32Array; ground: TerrainMesh | null };
   /** The gait on another body; `shown` is null where that is the same. */
   gaitRig(name: string, values: number[]): { gait: GaitFacts; shown: Shown | null };
   /** By its own clips again: who is seen, where that is somebody else. */

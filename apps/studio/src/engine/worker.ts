@@ -81,7 +81,7 @@ const calls: { [Name in Own]: (...args: Parameters<Calls[Name]>) => ReturnType<C
   },
   gaitPlay(values, speed, turn, slope) {
     running().gaitPlay(values, speed, turn, slope);
-    return { curves: running().array('gaitCurves').slice(), ground: isGiven() ? null : ground() };
+    return { frame: running().array('frame').slice(), curves: running().array('gaitCurves').slice(), ground: isGiven() ? null : ground() };
   },
   gaitRig(name, values) {
     const { gait, character } = running().gaitRig(name, values);

@@ -38,6 +38,10 @@ export class Picture {
   #view: CameraView = 'follow';
   #settled = false; // false: the camera jumps to its place
   readonly #pixels = new Pixels();
+  /** What the last picture shows; where nothing of it has changed there is none to draw. */
+  #drawn: unknown[] = [];
+  #isStale = true;
+  #drewLast = false;
 
   /** Throws where the browser has no WebGL 2. */
   constructor(canvas: HTMLCanvasElement) {
@@ -49,6 +53,8 @@ export class Picture {
     this.#controls.minDistance = 0.8;
     this.#controls.maxDistance = 18;
     this.#controls.maxPolarAngle = 0.53 * Math.PI;
+    this.#controls.addEventListener('change', () => (this.#isStale = true));
+    canvas.addEventListener('webglcontextrestored', () => (this.#isStale = true));
     this.#sun.castShadow = true;
     this.#sun.shadow.mapSize.set(1024, 1024);
     this.#sun.shadow.bias = -0.0004;
@@ -67,9 +73,11 @@ export class Picture {
     this.#renderer.setSize(width, height, false);
     this.#camera.aspect = width / Math.max(height, 1);
     this.#camera.updateProjectionMatrix();
+    this.#isStale = true;
   }
 
   paint(palette: Palette): void {
+    this.#isStale = true;
     this.#palette = palette;
     (this.#scene.background as Color).set(palette.sky);
     this.#scene.fog!.color.set(palette.sky);
@@ -83,6 +91,7 @@ export class Picture {
   }
 
   showCharacter(facts: CharacterFacts, mesh: CharacterMesh): void {
+    this.#isStale = true;
     if (this.#character) {
       this.#scene.remove(this.#character.mesh);
       this.#character.dispose();
@@ -112,23 +121,35 @@ export class Picture {
   showTerrain(terrain: TerrainMesh): void {
     this.#ground.show(terrain);
     this.#settled = false;
+    this.#isStale = true;
   }
 
   look(view: CameraView): void {
     this.#view = view;
     this.#settled = false;
+    this.#isStale = true;
   }
 
-  /** Draws a frame, `seconds` after the last picture. True where the machine is so slow that it should be resized. */
+  /** Draws a frame, `seconds` after the last time, unless it is drawn. True where the machine is so slow that it should be resized. */
   draw(frame: Float32Array, seconds: number, shown: Parameters<Overlays['update']>[3] & { ghosts: readonly string[] | null }): boolean {
     if (!this.#facts || !this.#character || frame.length === 0) return false;
     const { layout, ankles } = this.#facts;
+    this.#follow(new Vector3().fromArray(frame, layout.root), frame[layout.root + 3] ?? 0, seconds);
+    if (!this.#isNews([frame, ...Object.values(shown)])) return (this.#drewLast = false);
     this.#character.pose(frame, layout.joints);
     this.#overlays.update(frame, layout, ankles, shown);
     this.#ghosts.update(frame, layout, shown.ghosts);
-    this.#follow(new Vector3().fromArray(frame, layout.root), frame[layout.root + 3] ?? 0, seconds);
     this.#renderer.render(this.#scene, this.#camera);
-    return this.#pixels.judge(seconds);
+    const isJudged = this.#drewLast; // else the time went by without a picture
+    this.#drewLast = true;
+    return isJudged && this.#pixels.judge(seconds);
+  }
+
+  #isNews(shown: unknown[]): boolean {
+    const isNews = this.#isStale || shown.some((each, i) => each !== this.#drawn[i]);
+    this.#drawn = shown;
+    this.#isStale = false;
+    return isNews;
   }
 
   #follow(root: Vector3, yaw: number, seconds: number): void {

@@ -2,7 +2,7 @@
 import { effect } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import {
-  canRedo, canUndo, change, choose, complaint, curves, gait, gaits, part, personality, played, rigs, setValues, stepAhead, stepBack, write,
+  canRedo, canUndo, change, choose, complaint, curves, gait, gaits, part, personality, played, readDraft, rigs, setValues, stepAhead, stepBack, typed,
 } from '../gait';
 import { engine, fail, frame, frameCount, facts as character } from '../session';
 import { download } from '../download';
@@ -11,7 +11,6 @@ import { gaitWork, type GaitWork } from '../settings';
 import { Choose, Section, Segmented, Slider } from '../ui/controls';
 import { Curve } from '../ui/curve';
 
-const k_type_pause_ms = 250; // a text is read when its writer pauses
 const k_most_slope = 25; // [deg]
 
 const spoken = (name: string) => name.replaceAll('_', ' ');
@@ -187,7 +186,6 @@ const k_first_curves = ['LeftFoot.tY', 'left_foot.tY'];
 export function GaitDesk() {
   const work = gaitWork.value, now = played.value, known = gait.value;
   const area = useRef<HTMLTextAreaElement>(null);
-  const timer = useRef(0);
   const [shown, setShown] = useState('');
   // The text is the user's while it is typed; from outside it changes by undo, sliders or another gait.
   useEffect(() => effect(() => {
@@ -196,10 +194,10 @@ export function GaitDesk() {
     if (!field || field.value === text || (work?.text === null && document.activeElement === field)) return;
     field.value = text;
   }), []);
-  useEffect(() => () => clearTimeout(timer.current), []);
-  const typed = () => {
-    clearTimeout(timer.current);
-    timer.current = window.setTimeout(() => area.current && void write(area.current.value), k_type_pause_ms);
+  useEffect(() => readDraft, []);
+  const leave = () => {
+    readDraft();
+    part();
   };
   const curve = now?.curves.find((each) => each.name === shown) ?? now?.curves.find((each) => k_first_curves.includes(each.name)) ?? now?.curves[0];
   const bad = complaint.value !== '';
@@ -207,7 +205,7 @@ export function GaitDesk() {
   return (
     <div class="gait-desk">
       <label class="hidden" for="gait-text">{work?.text === null ? 'Personality of' : 'Expressions of'} {work?.name ?? 'the gait'}</label>
-      <textarea id="gait-text" ref={area} spellcheck={false} autocapitalize="off" wrap="off" aria-invalid={bad} aria-describedby="gait-complaint" onInput={typed} onBlur={part} />
+      <textarea id="gait-text" ref={area} spellcheck={false} autocapitalize="off" wrap="off" aria-invalid={bad} aria-describedby="gait-complaint" onInput={(event) => typed(event.currentTarget.value)} onBlur={leave} />
       <pre id="gait-complaint" role="status" class={bad ? 'bad' : ''}>{bad ? complaint.value : (known?.warnings[0] ?? fine)}</pre>
       {now && curve && (
         <div class="curves">
