@@ -12,6 +12,10 @@ constexpr float k_lowest_layer = 0.12f;    // of the leg's length: a toe tip dip
 constexpr float k_own_ground = 0.05f;      // [m] soles of a skinned rig this near to y = 0 stand on y = 0
 constexpr float k_sole_thickness = 0.05f;  // [m] toe joints of skinned rigs stand up to this above the floor at y = 0
 
+constexpr float k_toes_up = 0.17f;        // sine of 10 degrees: a foot that comes down on its heel
+constexpr float k_clearly_long = 0.8f;    // of a heel ends outside the ground
+constexpr float k_shortest_heel = 0.25f;  // of the way from ankle to ball; skinned characters have 0.17 to 0.27
+
 constexpr float k_feet_alike = 1.5f;  // one foot's ankle stands at most this much higher than the other's
 
 std::vector<Transform> rest_models(const Skeleton& skeleton) {
@@ -74,6 +78,17 @@ int flattest_frame(const FootTrack& foot, float fps) {
         if (cost < best_cost) best = f, best_cost = cost;
     }
     return static_cast<int>(best);
+}
+
+/// What share of the heel, from below the ankle backwards, is out of the ground: one number for each frame in which the
+/// toes are up, the heel is in it, and the rest is not.
+void add_shares_outside(const Leg& leg, const FootTrack& track, std::vector<float>& shares) {
+    const Vec3 under_ankle = leg.heel - leg.forward * dot(leg.heel, leg.forward);
+    for (const Transform& foot : track.foot) {
+        if (rotate(foot.rotation, leg.forward).y < k_toes_up) continue;
+        const float front = transform_point(foot, under_ankle).y, back = transform_point(foot, leg.heel).y;
+        if (front > 0 && back < 0) shares.push_back(front / (front - back));
+    }
 }
 
 /// The level on which soles spend most of their time, sought in the lowest layer so that a run, whose feet are longer
@@ -166,6 +181,22 @@ Legs matched_soles(const Motion& motion, const RoleMap& roles, const Legs& legs)
     Legs matched = legs;
     matched.side[other] = make_leg(*motion.skeleton, roles, static_cast<Side>(other), models, foot.lowest[best]);
     return matched;
+}
+
+Legs rounded_heels(const Legs& legs, std::span<const Tracks> clips) {
+    std::vector<float> outside;
+    for (const Tracks& clip : clips)
+        for (std::size_t side = 0; side < 2; ++side) add_shares_outside(legs.side[side], clip.foot[side], outside);
+    const float share = percentile(outside, 0.25f);
+    if (outside.empty() || share > k_clearly_long) return legs;
+    Legs rounded = legs;
+    for (Leg& leg : rounded.side) {
+        const float heel = -dot(leg.heel, leg.forward), least = k_shortest_heel * dot(leg.ball, leg.forward);
+        const float shorter = std::max(heel - std::max(share * heel, least), 0.0f);
+        leg.heel += leg.forward * shorter;
+        leg.mid += leg.forward * (0.5f * shorter);
+    }
+    return rounded;
 }
 
 }  // namespace surefoot

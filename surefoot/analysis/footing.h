@@ -3,6 +3,8 @@
 
 #include <surefoot/analysis/tracks.h>
 
+#include <span>
+
 namespace surefoot {
 
 struct Footing {
@@ -25,5 +27,12 @@ float floor_under(const Motion& motion, const RoleMap& roles, const Legs& legs);
 /// again as the other, that foot is measured anew in the frame in which it stands most like the lower one. Else `legs`
 /// come back as they are.
 Legs matched_soles(const Motion& motion, const RoleMap& roles, const Legs& legs);
+
+/// Heels are round, and a skeleton does not tell how far they reach behind the ankle. Where feet come down toes up and
+/// the heel of `legs` is in the ground (y = 0), the sole ought to end where it meets the ground. That is asked of all
+/// such frames of `clips`, and the lower quartile counts: feet that are still in the air say more. Heels that are
+/// clearly too long end there, alike on both feet, but no nearer to the ankle than a quarter of the way to the ball. A
+/// foot that is in the ground as a whole says nothing. Else `legs` come back as they are.
+Legs rounded_heels(const Legs& legs, std::span<const Tracks> clips);
 
 }  // namespace surefoot

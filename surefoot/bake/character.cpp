@@ -1,4 +1,5 @@
 #include <surefoot/analysis/analyze.h>
+#include <surefoot/analysis/footing.h>
 #include <surefoot/author/place.h>
 #include <surefoot/bake/baking.h>
 #include <surefoot/base/error.h>
@@ -43,10 +44,15 @@ Motion on_skeleton(const Motion& motion, const std::shared_ptr<const Skeleton>& 
     return same;
 }
 
-/// Roles, legs and standing pose.
-void take_body(Character& character, const AnalyzedClip& from) {
+/// Roles, legs and standing pose; how far heels reach back only clips that walk can tell.
+void take_body(Character& character, const AnalyzedClip& from, std::span<const Motion> motions) {
     character.roles = from.roles.roles;
     character.legs = from.legs;
+    if (from.legs.known()) {
+        std::vector<Tracks> clips;
+        for (const Motion& motion : motions) clips.push_back(make_tracks(motion, character.roles));
+        character.legs = rounded_heels(from.legs, clips);
+    }
     character.hip_height = from.facts.hip_height;
     character.standing.resize(character.skeleton->rest.size());
     local_to_model(*character.skeleton, from.motion.frame(0), character.standing);
@@ -76,17 +82,18 @@ Character bake(const std::string& name, std::span<const BakeSource> sources, std
     character.name = name;
     character.options = given;
     character.skeleton = sources.front().motion->skeleton;
-    take_body(character, body);
+    std::vector<Motion> motions;
+    for (const BakeSource& source : sources) motions.push_back(on_skeleton(*source.motion, character.skeleton));
+    take_body(character, body, motions);
     std::vector<PackedClip> packed(sources.size());
     character.packing.resize(sources.size());
     parallel_for(sources.size(), [&](std::size_t i) {
-        const Motion motion = on_skeleton(*sources[i].motion, character.skeleton);
         PackOptions options;
         options.along_travel = sources[i].along_travel;
         options.legs = &character.legs;
         options.error = given.error;
-        packed[i] = pack_clip(motion, *sources[i].facts, options, &character.packing[i]);
-        packed[i].name = sources[i].facts->name.empty() ? motion.name : sources[i].facts->name;
+        packed[i] = pack_clip(motions[i], *sources[i].facts, options, &character.packing[i]);
+        packed[i].name = sources[i].facts->name.empty() ? motions[i].name : sources[i].facts->name;
     });
     for (std::size_t i = 0; i < sources.size(); ++i) {
         character.facts.push_back(*sources[i].facts);

@@ -85,6 +85,18 @@ TEST(Character, what_does_not_fit_is_refused_with_a_reason) {
               std::string::npos);
 }
 
+TEST(Character, heels_are_no_longer_than_its_clips_put_them_down) {
+    auto clips = synthetic_clips();
+    const Legs made = clips.front().legs;
+    for (AnalyzedClip& clip : clips)
+        for (Leg& leg : clip.legs.side) leg.heel += leg.forward * dot(leg.heel, leg.forward);  // twice as far back
+    const Character character = bake_character(clips, spaces_for(clips));
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Leg &leg = character.legs.side[side], &was = made.side[side];
+        EXPECT_NEAR(dot(leg.heel, leg.forward), dot(was.heel, was.forward), 0.015f);
+    }
+}
+
 TEST(Character, clips_on_a_skeleton_of_other_proportions_keep_their_own) {
     auto clips = synthetic_clips();
     auto longer = std::make_shared<Skeleton>(*clips[1].motion.skeleton);
