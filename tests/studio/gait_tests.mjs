@@ -5,7 +5,7 @@ import { createHash } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { untilItMoves } from './browser.mjs';
-import { comeToRest, openPage, program, scratch, site, state, test, twin, untilState } from './harness.mjs';
+import { comeToRest, openPage, program, scratch, site, state, test, twin, untilDrawn, untilState } from './harness.mjs';
 
 /** A change of a control that shows only after the engine has answered. */
 const untilGait = (page, name, sign, value) =>
@@ -248,5 +248,46 @@ await test('gait: fitted gaits with personalities on a body that is shaped, undo
   await page.getByRole('tab', { name: 'Terrain' }).click();
   await page.waitForFunction(() => globalThis.studio.session.shownCourse() === 'hills' && globalThis.studio.session.facts.value.clipNames.length === 19);
   await untilState(page, 'speed', '>', 1.2);
+  assert.deepEqual(complaints, []);
+});
+
+await test('gait: handles on the body pull its lengths as the sliders do, each pull one step of undo', async () => {
+  const { page, complaints } = await openPage(site.url, { settings: { workspace: 'gait', camera: 'side' } });
+  assert.equal(await page.locator('.handles').count(), 0, 'the character’s own body is as it was opened');
+  await page.getByLabel('The body').check();
+  await page.getByLabel('Whose').selectOption('adult');
+  await page.waitForFunction(() => globalThis.studio.session.facts.value.name === 'adult');
+  await comeToRest(page);
+  const values = () => page.evaluate(() => JSON.parse(localStorage.getItem('surefoot.studio.gait')).rig.values);
+  const hips = () => page.evaluate(() => globalThis.studio.session.facts.value.hipHeight);
+  /** Pulls a handle away from where its length begins, by so many pixels. */
+  const pull = async (handle, by) => {
+    await untilDrawn(page);
+    const group = page.locator(`.handles [data-handle="${handle}"]`);
+    const box = await group.locator('.knob').boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2;
+    const [dx, dy] = await group.locator('line').evaluate((line) => [-line.getAttribute('x2'), -line.getAttribute('y2')]);
+    const length = Math.hypot(dx, dy);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    assert.ok(await group.locator('text').isVisible(), 'what it pulls is named');
+    await page.mouse.move(x + (by * dx) / length, y + (by * dy) / length, { steps: 4 });
+    await page.mouse.up();
+    return length;
+  };
+  const low = await hips();
+  const length = await pull('stature Head', 60);
+  const { stature } = await values();
+  assert.ok(Math.abs(stature - 1.75 * (1 + 60 / length)) < 0.03, `${stature} m of ${length} px`);
+  await page.waitForFunction((low) => globalThis.studio.session.facts.value.hipHeight > 1.05 * low, low);
+  assert.equal(Number(await page.getByLabel('stature').inputValue()), stature);
+  await pull('arm LeftHand', 30);
+  assert.ok((await values()).arm > 1.1);
+  await pull('leg RightLowerLeg', -20);
+  assert.ok((await values()).leg < 0.9);
+  for (const left of [['stature', 'arm'], ['stature'], []]) {
+    await page.getByRole('button', { name: 'Undo' }).click();
+    assert.deepEqual(Object.keys(await values()), left);
+  }
+  await page.waitForFunction((low) => Math.abs(globalThis.studio.session.facts.value.hipHeight - low) < 1e-6, low);
   assert.deepEqual(complaints, []);
 });

@@ -1,7 +1,7 @@
 // The gait that is shaped: what is asked for, kept as plain data, and what the engine makes of it.
 import { batch, signal } from '@preact/signals';
 import { changeBody, engine, fail, showNewGround, showsGait, take, terrain } from './session';
-import type { GaitFacts, GaitPlayed, RigFacts } from './engine/messages';
+import type { GaitFacts, GaitParameter, GaitPlayed, RigFacts } from './engine/messages';
 import { gaitWork, type GaitWork } from './settings';
 import { Undo } from './undo';
 
@@ -110,6 +110,19 @@ export function change(label: string, some: Partial<GaitWork>): void {
   gaitWork.value = { ...now, ...some };
   void follow();
 }
+
+/** The body is being shaped, not how it goes. */
+export const shapesBody = signal(false);
+
+/** A value of the body's template. */
+export function shape(name: string, value: number): void {
+  const rig = gaitWork.value?.rig;
+  if (rig) change(`rig value ${name}`, { rig: { ...rig, values: { ...rig.values, [name]: value } } });
+}
+
+/** Of what changes a parameter by hand. */
+export const stepOf = ({ low, high, group }: GaitParameter) =>
+  group === 'Joints' ? 1 : 10 ** Math.floor(Math.log10(Math.max(high - low, 1e-6) / 100));
 
 function go(to: GaitWork | undefined): void {
   if (!to) return;

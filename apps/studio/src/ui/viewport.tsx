@@ -7,6 +7,7 @@ import { cameraView, ghosts, overlays, workspace } from '../settings';
 import { Picture } from '../view/picture';
 import { runPicture } from '../view/picture_loop';
 import { palette } from '../view/theme';
+import { Handles, placeHandles } from './handles';
 import { Stick } from './stick';
 import { Readout } from './readout';
 import { clipColors } from '../workspaces/space_state';
@@ -35,6 +36,7 @@ function run(canvas: HTMLCanvasElement): () => void {
     };
     // First the picture of the frame that is here; the next one is made meanwhile.
     const tired = picture.draw(frame, Math.min(seconds, 0.25), shown);
+    placeHandles(frame, (at) => picture.place(at));
     tick(seconds);
     return tired;
   });
@@ -61,6 +63,7 @@ export function Viewport() {
   return (
     <div class="viewport">
       <canvas ref={canvas} tabIndex={0} aria-label="The character on its course. Steer with W, A, S and D; drag to look from elsewhere." />
+      {workspace.value === 'gait' && <Handles />}
       <Readout />
       <Stick />
       <p class="notice" role="status">{notice.value}</p>

@@ -145,6 +145,12 @@ export class Picture {
     return isJudged && this.#pixels.judge(seconds);
   }
 
+  /** Where a point of the world is in the last picture, from its upper left [px of the page]; null: behind it. */
+  place(at: Vector3): [number, number] | null {
+    const { clientWidth, clientHeight } = this.#renderer.domElement, seen = at.clone().project(this.#camera);
+    return seen.z > 1 ? null : [((1 + seen.x) / 2) * clientWidth, ((1 - seen.y) / 2) * clientHeight];
+  }
+
   #isNews(shown: unknown[]): boolean {
     const isNews = this.#isStale || shown.some((each, i) => each !== this.#drawn[i]);
     this.#drawn = shown;

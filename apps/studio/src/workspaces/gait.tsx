@@ -2,7 +2,8 @@
 import { effect } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import {
-  canRedo, canUndo, change, choose, complaint, curves, gait, gaits, part, personality, played, readDraft, rigs, setValues, stepAhead, stepBack, typed,
+  canRedo, canUndo, change, choose, complaint, curves, gait, gaits, part, personality, played, readDraft, rigs, setValues, shapesBody, stepAhead,
+  stepBack, stepOf, typed,
 } from '../gait';
 import { engine, fail, frame, frameCount, facts as character } from '../session';
 import { download } from '../download';
@@ -23,9 +24,6 @@ async function save(format: 'bvh' | 'glb'): Promise<void> {
     fail('The gait could not be saved', error);
   }
 }
-
-const stepOf = ({ low, high, group }: GaitParameter) =>
-  group === 'Joints' ? 1 : 10 ** Math.floor(Math.log10(Math.max(high - low, 1e-6) / 100));
 
 const k_units: Record<string, string> = { '1': '', deg: '°' };
 const unitOf = (unit: string) => k_units[unit] ?? unit;
@@ -98,7 +96,7 @@ function Body({ work }: { work: GaitWork }) {
     <>
       <Section title="Body">
         <Choose label="Whose" choices={[own, ...rigs.value.map(({ name }) => name)].map((name) => ({ value: name, label: spoken(name) }))} value={work.rig?.name ?? own} onChange={wear} />
-        <p class="note">{template?.help ?? 'As it was opened. A template has a body that can be shaped.'}</p>
+        <p class="note">{template ? `${template.help}. Pull its handles, or use the sliders.` : 'As it was opened. A template has a body that can be shaped.'}</p>
       </Section>
       {template && groupsOf(template.parameters).map((group) => (
         <Group key={group} title={titled(group)} parameters={ofGroup(template.parameters, group)} values={work.rig!.values} onChange={(label, values) => change(`rig ${label}`, { rig: { name: template.name, values } })} />
@@ -109,7 +107,6 @@ function Body({ work }: { work: GaitWork }) {
 
 export function GaitPanel() {
   const known = gait.value, work = gaitWork.value, now = played.value;
-  const [shows, setShows] = useState<'gait' | 'body'>('gait');
   if (!known || !work) return <Section title="Gait">{<p>One moment…</p>}</Section>;
   const named = (fitted: boolean) => gaits.value.filter((each) => each.fitted === fitted);
   return (
@@ -151,9 +148,9 @@ export function GaitPanel() {
           </p>
         )}
         <Asked work={work} />
-        <Segmented label="Shape" choices={[{ value: 'gait' as const, label: known.fitted ? 'How it goes' : 'The gait' }, { value: 'body' as const, label: 'The body' }]} value={shows} onChange={setShows} />
+        <Segmented label="Shape" choices={[{ value: 'gait' as const, label: known.fitted ? 'How it goes' : 'The gait' }, { value: 'body' as const, label: 'The body' }]} value={shapesBody.value ? 'body' : 'gait'} onChange={(shows) => (shapesBody.value = shows === 'body')} />
       </Section>
-      {shows === 'body' ? <Body work={work} /> : groupsOf(known.parameters).map((group) => (
+      {shapesBody.value ? <Body work={work} /> : groupsOf(known.parameters).map((group) => (
         <Group key={group} title={titled(group)} parameters={ofGroup(known.parameters, group)} values={work.values} onChange={(label, values) => change(label, { values })} />
       ))}
       <Section title="Save">
