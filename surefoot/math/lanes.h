@@ -23,7 +23,12 @@
 #ifndef SUREFOOT_KERNELS
 #define SUREFOOT_KERNELS kernels_baseline
 #endif
+// GCC takes minutes over what is all inlined and checked.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SUREFOOT_INLINE inline
+#else
 #define SUREFOOT_INLINE inline __attribute__((always_inline))
+#endif
 
 namespace surefoot {
 inline namespace SUREFOOT_KERNELS {
