@@ -18,8 +18,8 @@ Cell locate(float offset, float spacing, int count) noexcept {
     const float at = offset / spacing;
     if (!(at > 0)) return {0, 0, at < 0};
     if (at >= cells) return {count - 2, 1, at > cells};
-    const float cell = std::floor(at);
-    return {static_cast<int>(cell), at - cell, false};
+    const int cell = static_cast<int>(at);
+    return {cell, at - static_cast<float>(cell), false};
 }
 
 }  // namespace

@@ -70,20 +70,33 @@ Vec3 between(Vec3 a, Vec3 b, Vec3 c, Vec3 d, float t) noexcept {
 
 }  // namespace
 
-WorldLeg world_leg(const Leg& leg, const LegPose& pose, const RootFrame& root) noexcept {
-    const Transform world{from_yaw(root.yaw), {root.position.x, 0, root.position.z}};
+namespace {
+
+/// Over flat ground.
+Transform world_of(const RootFrame& root) noexcept {
+    return {from_yaw(root.yaw), {root.position.x, 0, root.position.z}};
+}
+
+LegPoints leg_points(const Leg& leg, const LegPose& pose, const Transform& world) noexcept {
     const Transform foot = world * pose.foot;
     const SolePoints sole = sole_points(leg, foot, leg.toes == k_no_joint ? foot : world * pose.toes);
+    return {transform_point(world, pose.upper.translation),
+            transform_point(world, pose.lower.translation),
+            foot.translation,
+            sole.heel,
+            sole.ball,
+            sole.toe_tip};
+}
+
+}  // namespace
+
+WorldLeg world_leg(const Leg& leg, const LegPose& pose, const RootFrame& root) noexcept {
+    const Transform world = world_of(root);
     WorldLeg out;
-    out.points = {transform_point(world, pose.upper.translation),
-                  transform_point(world, pose.lower.translation),
-                  foot.translation,
-                  sole.heel,
-                  sole.ball,
-                  sole.toe_tip};
+    out.points = leg_points(leg, pose, world);
     out.upper = world.rotation * pose.upper.rotation;
     out.lower = world.rotation * pose.lower.rotation;
-    out.foot = foot.rotation;
+    out.foot = world.rotation * pose.foot.rotation;
     out.toe_joint = transform_point(world, pose.toes.translation);
     out.toes = world.rotation * pose.toes.rotation;
     out.upper_parent = world.rotation * pose.upper_parent;
@@ -161,8 +174,9 @@ void look_ahead(const FootRig& rig, double clock, const LegPreview& preview, For
             const auto n = static_cast<std::size_t>(first) + i;
             f.root[n] = {roots[i].position.x, 0, roots[i].position.z};
             f.yaw[n] = roots[i].yaw;
+            const Transform world = world_of(roots[i]);
             for (std::size_t side = 0; side < 2; ++side)
-                f.legs[side][n] = world_leg(rig.legs.side[side], legs[i].side[side], roots[i]).points;
+                f.legs[side][n] = leg_points(rig.legs.side[side], legs[i].side[side], world);
         }
     }
     for (std::size_t side = 0; side < 2; ++side) {

@@ -70,7 +70,12 @@ PlacedFoot blend_plants(const FootState& foot, double clock, const LegPoints& po
 /// What takes flat ground to the ground under a foot, or between the places it comes from and goes to.
 Quat ground_tilt(const FootState& foot, double clock) noexcept;
 Vec3 fade_offset(const FootState& foot, double clock) noexcept;
-Vec3 swing_shift(const FootState& foot, float share) noexcept;
+/// Early or late in a swing: two bumps without slope or curvature at their ends, and flat beyond.
+struct SwingBumps {
+    float early, late;
+    Vec3 shift(Vec3 by_early, Vec3 by_late) const noexcept { return by_early * early + by_late * late; }
+};
+SwingBumps swing_bumps(float share) noexcept;
 
 /// Plans how a foot that has a swing before it clears the ground: its hump, and its shifts along the way.
 void plan_clearance(const FootRig& rig, FootState& foot, std::size_t side, const GroundProbe& probe,

@@ -92,14 +92,13 @@ Fade fade_at(const FootState& foot, double clock) noexcept {
 
 Vec3 fade_offset(const FootState& foot, double clock) noexcept { return fade_at(foot, clock).offset; }
 
-/// Early or late in a swing: two bumps without slope or curvature at their ends.
-Vec3 swing_shift(const FootState& foot, float share) noexcept {
+SwingBumps swing_bumps(float share) noexcept {
     constexpr float k_early = 0.28f, k_late = 0.72f, k_half = 0.28f;  // their middles and half their widths
     const auto bump = [&](float middle) {
         const float x = (share - middle) / k_half, inside = std::max(0.0f, 1 - x * x);
         return inside * inside * inside;
     };
-    return foot.shift_early * bump(k_early) + foot.shift_late * bump(k_late);
+    return {bump(k_early), bump(k_late)};
 }
 
 PlacedFoot place_foot(const FootState& foot, double clock, const LegPoints& points, const Leg& leg) noexcept {
@@ -107,7 +106,8 @@ PlacedFoot place_foot(const FootState& foot, double clock, const LegPoints& poin
     if (!foot.has_next || clock < foot.hump_from || clock >= foot.strike) return placed;
     const auto share = static_cast<float>((clock - foot.hump_from) / (foot.strike - foot.hump_from));
     const Fade fade = fade_at(foot, clock);
-    placed.ankle += fade.offset + swing_shift(foot, share) + k_up * foot.hump.at(share);
+    placed.ankle +=
+        fade.offset + swing_bumps(share).shift(foot.shift_early, foot.shift_late) + k_up * foot.hump.at(share);
     if (fade.turn_share > 0) {
         const Quat turn = from_rotation_vector(foot.fade_turn * fade.turn_share);
         placed.tilt = turn * placed.tilt;

@@ -3,6 +3,7 @@
 #include <surefoot/ik/foot_forecast.h>
 #include <surefoot/ik/pace.h>
 #include <surefoot/ik/replant.h>
+#include <surefoot/math/trig.h>
 
 #include <algorithm>
 
@@ -285,9 +286,10 @@ void Planner::plan_hips() noexcept {
         state_.base = {here, (state_.line.at(state_.clock + lead + 0.1) - here) / 0.1f};
     }
     HeightSpring base = state_.base;
+    constexpr float k_step = 1.0f / Forecast::k_rate;
+    const float stiffness = rig_.settings.hip_stiffness, decay = exp(-stiffness * k_step);
     for (int i = 0; i < Forecast::k_samples; ++i) {
-        if (i)
-            base.step(state_.line.at(forecast_.time(i) + lead), rig_.settings.hip_stiffness, 1.0f / Forecast::k_rate);
+        if (i) base.step(state_.line.at(forecast_.time(i) + lead), stiffness, k_step, decay);
         base_[static_cast<std::size_t>(i)] = base.value;
     }
     plan_rise(0);

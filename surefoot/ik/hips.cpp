@@ -89,13 +89,16 @@ float HipLimiter::get(std::int64_t slot) const noexcept {
 float HipLimiter::at(double time) const noexcept {
     const double now = std::max(time, 0.0) * k_rate;
     const auto middle = static_cast<std::int64_t>(std::floor(now));
+    constexpr int k_window = 2 * k_half + 1, k_windows = 2 * k_half + 2;
+    std::array<float, k_window + k_windows - 1> near;  // slots of all windows
+    for (std::size_t j = 0; j < near.size(); ++j) near[j] = get(middle - 2 * k_half + static_cast<std::int64_t>(j));
     float sum = 0, weights = 0;
-    for (std::int64_t i = middle - k_half; i <= middle + k_half + 1; ++i) {
-        const auto x = static_cast<float>((now - static_cast<double>(i)) / k_half);
+    for (int i = 0; i < k_windows; ++i) {
+        const auto x = static_cast<float>((now - static_cast<double>(middle - k_half + i)) / k_half);
         if (x <= -1 || x >= 1) continue;
         const float inside = 1 - x * x, weight = inside * inside * inside;
         float least = 0;
-        for (std::int64_t j = i - k_half; j <= i + k_half; ++j) least = std::min(least, get(j));
+        for (int j = i; j < i + k_window; ++j) least = std::min(least, near[static_cast<std::size_t>(j)]);
         sum += weight * least;
         weights += weight;
     }

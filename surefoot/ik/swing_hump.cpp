@@ -102,6 +102,15 @@ float Hump::at(float s) const noexcept {
                static_cast<double>(s)));
 }
 
+std::array<float, k_hump_samples> Hump::at_samples() const noexcept {
+    const Controls c = controls(static_cast<double>(start_value), static_cast<double>(start_slope), coefficients);
+    std::array<float, k_hump_samples> values{};  // the last one is 0
+    for (int i = 0; i + 1 < k_hump_samples; ++i)
+        values[static_cast<std::size_t>(i)] = static_cast<float>(
+            spline(c, static_cast<double>(static_cast<float>(i) / static_cast<float>(k_hump_samples - 1))));
+    return values;
+}
+
 float Hump::slope(float s) const noexcept {
     if (s >= 1) return 0;
     return static_cast<float>(

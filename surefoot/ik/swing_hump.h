@@ -22,6 +22,7 @@ struct Hump {
 
     float at(float s) const noexcept;     ///< 0 outside [0, 1] after the end; the start value before it
     float slope(float s) const noexcept;  ///< d at / ds
+    std::array<float, k_hump_samples> at_samples() const noexcept;
 };
 
 /// What the programme is asked. Samples are at s = i / (k_hump_samples - 1).

@@ -37,6 +37,15 @@ TEST(SwingHump, it_clears_what_it_must_and_little_more) {
     EXPECT_LT(highest, 0.125f);
 }
 
+TEST(SwingHump, at_its_samples_it_is_what_it_is_there) {
+    HumpTask task = task_without_needs();
+    task.start_value = 0.03f;
+    task.need[12] = 0.2f;
+    const Hump hump = SwingSolver().solve(task);
+    const std::array<float, k_hump_samples> samples = hump.at_samples();
+    for (int i = 0; i < k_hump_samples; ++i) EXPECT_EQ(samples[static_cast<std::size_t>(i)], hump.at(share(i))) << i;
+}
+
 TEST(SwingHump, it_starts_as_told_and_ends_at_zero_without_slope) {
     HumpTask task = task_without_needs();
     task.start_value = 0.03f;
