@@ -102,12 +102,12 @@ class GraphWalker final : public WatchedGraphWalker {
         input.root = going.root;
         input.decide = decide;
         update(program_, going.state, input, scratch_, frame_);
-        going.root = going.root * frame_.root_delta * steering_.host_way(dt);
+        going.root = going.root * frame_.root_delta * steering_.host().in(dt);
         going.root.position.y = 0;
         going.feet = frame_.feet;
         const Vec3 velocity{0, 0, get(program_, going.state, speed_)};
         const float turn = get(program_, going.state, turn_) * k_radians_per_degree;
-        going.requested = going.requested * integrate(velocity, turn, dt) * steering_.host_way(dt);
+        going.requested = going.requested * integrate(velocity, turn, dt) * steering_.host().in(dt);
     }
 
     const Pack& character_;

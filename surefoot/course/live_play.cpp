@@ -20,7 +20,7 @@ class LiveWalker final : public Walker {
     }
     void advance(float dt) noexcept override {
         steering_.advance(dt);
-        root_ = root_ * update(rig_, state_, wanted(), dt).root_delta * steering_.host_way(dt);
+        root_ = root_ * update(rig_, state_, wanted(), dt).root_delta * steering_.host().in(dt);
     }
     void limit_speed(float mps) noexcept override { steering_.limit_speed(mps); }
     /// Live gaits glide to what they are asked for, and the glide is what there is to obey.
@@ -28,7 +28,7 @@ class LiveWalker final : public Walker {
     bool has_host() const noexcept override { return steering_.has_host(); }
     void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
         LiveState copy = state_;
-        root = root_ * update(rig_, copy, wanted(), ahead).root_delta * steering_.host_way(ahead);
+        root = root_ * update(rig_, copy, wanted(), ahead).root_delta * steering_.host().in(ahead);
         pose(rig_, copy, scratch_, locals);
     }
 

@@ -46,9 +46,8 @@ float Steering::speed(float asked) const noexcept {
     return legs_[at_].goes ? std::clamp(asked, -limit_, limit_) : 0.0f;
 }
 
-RootFrame Steering::host_way(float dt) const noexcept {
-    const PathLeg& leg = legs_[at_];
-    return integrate({leg.host_slide, 0, 0}, leg.host_turn * k_radians_per_degree, dt);
+RootFrame HostWay::in(float seconds) const noexcept {
+    return integrate({slide, 0, 0}, turn * k_radians_per_degree, seconds);
 }
 
 bool Steering::has_host() const noexcept {

@@ -29,6 +29,15 @@ const std::vector<std::string>& path_names();
 /// Throws Error for another name.
 std::vector<PathLeg> walk_path(const std::string& name, float seconds, float turn = 0);
 
+/// What a host adds to a root by itself, steadily.
+struct HostWay {
+    float turn = 0;   ///< [deg/s] positive to the left
+    float slide = 0;  ///< [m/s] to the left
+
+    RootFrame in(float seconds) const noexcept;
+    friend bool operator==(const HostWay&, const HostWay&) = default;
+};
+
 /// What a path asks for now, no faster than a limit.
 class Steering {
   public:
@@ -47,8 +56,7 @@ class Steering {
     float speed(float asked) const noexcept;
     /// [deg/s] positive to the left.
     float turn() const noexcept { return legs_[at_].turn; }
-    /// What the host adds to the root in that time.
-    RootFrame host_way(float dt) const noexcept;
+    HostWay host() const noexcept { return {legs_[at_].host_turn, legs_[at_].host_slide}; }
     /// True where some leg of the path has a host that adds something.
     bool has_host() const noexcept;
 

@@ -30,7 +30,7 @@ std::vector<int> leg_chain(const FootRig& rig) {
 
 }  // namespace
 
-/// Looks ahead through a walker; scratch is made once.
+/// Looks ahead through a walker, at each moment once; scratch is made once.
 class PlacedWalker::Preview final : public LegPreview {
   public:
     Preview(const Walker& walker, const FootRig& rig)
@@ -38,20 +38,38 @@ class PlacedWalker::Preview final : public LegPreview {
           rig_(rig),
           chain_(leg_chain(rig)),
           locals_(static_cast<std::size_t>(walker.skeleton()->joint_count())),
-          models_(locals_.size()) {}
+          models_(locals_.size()),
+          seen_(k_seen) {}
     void sample(std::span<const float> ahead, std::span<LegsPose> legs,
                 std::span<RootFrame> roots) const noexcept override {
         for (std::size_t i = 0; i < ahead.size(); ++i) {
-            walker_.look(ahead[i], roots[i], locals_);
-            run_forward();
-            lift_toe_tips(rig_, models_, locals_);
-            for (const Leg& leg : rig_.legs.side)
-                if (leg.toes != k_no_joint) run_forward(leg.toes);
-            legs[i] = read_legs(rig_, models_);
+            const std::uint64_t moment = walker_.moment(ahead[i]);
+            Seen& seen = seen_[moment % k_seen];
+            if (moment == 0 || seen.moment != moment) {
+                look(ahead[i], seen);
+                seen.moment = moment;
+            }
+            legs[i] = seen.legs;
+            roots[i] = seen.root;
         }
     }
 
   private:
+    struct Seen {
+        std::uint64_t moment = 0;
+        RootFrame root;
+        LegsPose legs;
+    };
+    static constexpr std::size_t k_seen = 128;  // more than foot placement looks at between two frames
+
+    void look(float ahead, Seen& seen) const noexcept {
+        walker_.look(ahead, seen.root, locals_);
+        run_forward();
+        lift_toe_tips(rig_, models_, locals_);
+        for (const Leg& leg : rig_.legs.side)
+            if (leg.toes != k_no_joint) run_forward(leg.toes);
+        seen.legs = read_legs(rig_, models_);
+    }
     void run_forward() const noexcept {
         for (const int joint : chain_) run_forward(joint);
     }
@@ -65,6 +83,7 @@ class PlacedWalker::Preview final : public LegPreview {
     const FootRig& rig_;
     const std::vector<int> chain_;  ///< nothing else of what comes is read
     mutable std::vector<Transform> locals_, models_;
+    mutable std::vector<Seen> seen_;
 };
 
 PlacedWalker::PlacedWalker(Walker& walker, const Ground& ground, const FootSettings& settings)

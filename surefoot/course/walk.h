@@ -53,6 +53,9 @@ class Walker {
     virtual std::span<const Leaf> playing() const noexcept { return {}; }
     /// The root in the world (y = 0) and the pose, `ahead` >= 0 seconds from now if nothing else is asked for.
     virtual void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept = 0;
+    /// A number of that moment, so that who has looked at it need not look again while time passes: what has the same
+    /// number looks the same. 0 where it has none.
+    virtual std::uint64_t moment(float /*ahead*/) const noexcept { return 0; }
 };
 
 /// Plays one cyclic clip with root motion again and again, slower or faster to match the speed asked for (a clip that

@@ -48,6 +48,46 @@ TEST(PlacedWalker, goes_the_way_that_walk_records) {
     }
 }
 
+/// A walker whose moments have no numbers: whoever looks ahead has to look.
+class Forgetful final : public Walker {
+  public:
+    explicit Forgetful(Walker& walker) : walker_(walker) {}
+    const std::shared_ptr<const Skeleton>& skeleton() const override { return walker_.skeleton(); }
+    const Legs& legs() const override { return walker_.legs(); }
+    std::span<const Transform> standing() const override { return walker_.standing(); }
+    void start(float speed_mps) override { walker_.start(speed_mps); }
+    void advance(float dt) noexcept override { walker_.advance(dt); }
+    void steer(const LocomotionRequest& asked) noexcept override { walker_.steer(asked); }
+    void limit_speed(float mps) noexcept override { walker_.limit_speed(mps); }
+    RootFrame requested() const noexcept override { return walker_.requested(); }
+    void look(float ahead, RootFrame& root, std::span<Transform> locals) const noexcept override {
+        walker_.look(ahead, root, locals);
+    }
+
+  private:
+    Walker& walker_;
+};
+
+TEST(PlacedWalker, what_was_seen_of_the_future_is_what_comes) {
+    const Course course = make_course("hills");
+    const auto walker = make_character_walker(character()), other = make_character_walker(character());
+    Forgetful forgetful(*other);
+    PlacedWalker placed(*walker, *course.ground), again(forgetful, *course.ground);
+    placed.start(1.2f);
+    again.start(1.2f);
+    for (int f = 0; f < 600; ++f) {
+        // Steers at times, goes on for a while, and has two odd frames.
+        const LocomotionRequest asked{f < 300 ? 1.2f : 1.6f, f % 100 < 20 ? static_cast<float>(f % 100) : 20.0f, 0};
+        const float dt = f == 150 || f == 151 ? 0.021f : k_dt;
+        for (Walker* one : {walker.get(), other.get()}) one->steer(asked);
+        placed.advance(dt);
+        again.advance(dt);
+        ASSERT_EQ(placed.root(), again.root()) << f;
+        ASSERT_TRUE(std::equal(placed.locals().begin(), placed.locals().end(), again.locals().begin())) << f;
+    }
+    EXPECT_GT(placed.state().plans, 10);
+}
+
 TEST(PlacedWalker, who_steers_is_obeyed) {
     const Plane flat;
     const auto walker = make_character_walker(character(), {}, walk_path("curve", 20));
