@@ -29,7 +29,7 @@ if(COMPONENT STREQUAL "author")
   step("${prefix}/bin/surefoot" author --default -o "${project}")
   step("${prefix}/bin/surefoot" bake "${project}" -o "${project}.sfpack")
   step("${SCRATCH}/examples/play_a_clip" "${project}.sfpack" walk)
-  foreach(example steer own_ground crowd rollback)
+  foreach(example steer own_ground crowd crowd_tbb rollback)
     step("${SCRATCH}/examples/${example}" "${project}.sfpack")
   endforeach()
   file(COPY "${EXAMPLES}/hero.json" DESTINATION "${SCRATCH}/graphs")  # its project is ../hero
