@@ -97,18 +97,16 @@ class BlendedFeet {
     BlendedFeet(const LegPaths& paths, const FootBlend& blend) noexcept : paths_(paths), blend_(blend) {}
 
     /// False where one of the clips has no foot track.
-    bool gather(std::span<const PackedClip> clips) noexcept {
-        if (!gather_leaves(clips, blend_, leaves_)) return false;
-        pace_ = pace_of(leaves_, blend_);
-        return true;
-    }
+    bool gather(std::span<const PackedClip> clips) noexcept { return gather_leaves(clips, blend_, leaves_); }
     /// Goes over to a side, and returns its share of its step.
-    float turn_to(std::size_t side) noexcept {
+    float turn_to(std::size_t side) noexcept { return turn_to(side, blend_.phase, blend_.cycle); }
+    /// The same at another moment.
+    float turn_to(std::size_t side, float phase, std::uint32_t cycle) noexcept {
         strike_ = strike_phase(static_cast<Side>(side));
-        const float after = blend_.phase - strike_;
+        const float after = phase - strike_;
         // Counted from well above zero, so that the step before the first one has a number too.
         constexpr std::uint32_t k_far = 27720;  // a multiple of every small cycle count
-        step_ = blend_.cycle + k_far - (after < 0);
+        step_ = cycle + k_far - (after < 0);
         see_step(side, step_);
         return after < 0 ? after + 1 : after;
     }
@@ -122,7 +120,8 @@ class BlendedFeet {
     /// Asks for the foot at a share of its step, which it has in `ahead` seconds, as seen from the root as it is now:
     /// the weighted mean of the leaves' keys. Heel and ball are what is averaged: the foot rolls about one and then the
     /// other, which stand still, while the ankle moves on a curve that no mean keeps.
-    void ask(float share, float ahead, FootGoal& answer, FootMeans& means) const noexcept {
+    void ask(float share, float ahead, FootGoal& answer, FootMeans& means) noexcept {
+        if (!(pace_ > 0)) pace_ = pace_of(leaves_, blend_);
         means.begin(paths_.side[side_], blend_, pace_, ahead, answer);
         for (const FootLeaf& leaf : leaves_.all()) {
             float time = leaf.time;
@@ -145,7 +144,8 @@ class BlendedFeet {
     const LegPaths& paths_;
     const FootBlend& blend_;
     FootLeaves leaves_;
-    float pace_ = 1, strike_ = 0, duty_ = 0;
+    float pace_ = 0;  // 0: nobody has asked for it yet
+    float strike_ = 0, duty_ = 0;
     std::uint32_t step_ = 0;
     std::size_t side_ = 0;
 };

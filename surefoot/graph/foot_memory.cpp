@@ -33,15 +33,17 @@ void remember(const FootBlend& blend, FootMemory& memory) noexcept {
     memory.turn = blend.turn;
 }
 
+bool steps(const PackedClip& clip) noexcept { return clip.cycles > 0; }
+
 /// How much of a blend steps.
 float stepping_share(std::span<const PackedClip> clips, std::span<const Leaf> leaves) noexcept {
-    float steps = 0, all = 0;
+    float stepping = 0, all = 0;
     for (const Leaf& leaf : leaves) {
         const float weight = std::fabs(leaf.weight);
         all += weight;
-        if (clips[static_cast<std::size_t>(leaf.clip)].cycles > 0) steps += weight;
+        if (steps(clips[static_cast<std::size_t>(leaf.clip)])) stepping += weight;
     }
-    return all > 0 ? steps / all : 0.0f;
+    return all > 0 ? stepping / all : 0.0f;
 }
 
 /// Clips without steps have their own time, which has gone on; their feet are to be seen at one moment.
@@ -73,24 +75,25 @@ void take_up(const LegPaths::Side& leg, const Transform& was, const Transform& i
 
 /// Both feet by both blends, as they were before this step.
 void take_up_change(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
-                    FootMemory& memory) noexcept {
+                    BlendedFeet& new_feet, FootMemory& memory) noexcept {
     take_times(blend.leaves, std::span(memory.leaf).first(memory.count));
-    FootBlend was = blend, is = blend;
+    FootBlend was;
     was.leaves = std::span(memory.leaf).first(memory.count);
     was.velocity = memory.velocity;
     was.turn = memory.turn;
     was.phase_rate = memory.phase_rate;
-    was.phase = is.phase = blend.phase_before;
-    was.cycle = is.cycle = blend.cycle_before;
     was.phase_before = memory.phase_before;
     was.cycle_before = memory.cycle_before;
-    BlendedFeet old_feet(paths, was), new_feet(paths, is);
-    if (!old_feet.gather(clips) || !new_feet.gather(clips)) return;
+    BlendedFeet old_feet(paths, was);
+    if (!old_feet.gather(clips)) return;
     FootMeans means;
     std::array<FootGoal, 2> before, after;
     for (std::size_t side = 0; side < 2; ++side) {
-        new_feet.ask(new_feet.turn_to(side), 0, after[side], means);
-        old_feet.ask(old_feet.turn_to(side), 0, before[side], means);
+        const auto ask = [&](BlendedFeet& feet, FootGoal& goal) noexcept {
+            feet.ask(feet.turn_to(side, blend.phase_before, blend.cycle_before), 0, goal, means);
+        };
+        ask(new_feet, after[side]);
+        ask(old_feet, before[side]);
     }
     means.answer_all();
     for (std::size_t side = 0; side < 2; ++side)
@@ -127,10 +130,9 @@ void let_go(const FootMemory::Drift& drift, float foresight, float share, float 
 }
 
 /// What swings goes to where the blend has it, `foresight` seconds ahead. Returns who swings.
-std::array<bool, 2> let_swings_go(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
-                                  float foresight, float dt, FootMemory& memory) noexcept {
-    BlendedFeet feet(paths, blend);
-    if (!feet.gather(clips) || !feet.steps()) return {};
+std::array<bool, 2> let_swings_go(const FootBlend& blend, BlendedFeet& feet, float foresight, float dt,
+                                  FootMemory& memory) noexcept {
+    if (!feet.steps()) return {};
     std::array<bool, 2> swings{};
     const float step = (blend.phase - blend.phase_before) +
                        static_cast<float>(static_cast<std::int32_t>(blend.cycle - blend.cycle_before));
@@ -186,7 +188,10 @@ float along(Vec3 way, const FootGoal& foot, const FootOffset& hold) noexcept {
 }  // namespace
 
 bool stood(std::span<const PackedClip> clips, const FootMemory& memory) noexcept {
-    return memory.count > 0 && stepping_share(clips, std::span(memory.leaf).first(memory.count)) == 0;
+    const std::span<const Leaf> leaves = std::span(memory.leaf).first(memory.count);
+    return memory.count > 0 && std::none_of(leaves.begin(), leaves.end(), [&](const Leaf& leaf) {
+               return leaf.weight != 0 && steps(clips[static_cast<std::size_t>(leaf.clip)]);
+           });
 }
 
 float starting_phase(const LegPaths& paths, std::span<const PackedClip> clips, const FootBlend& blend,
@@ -220,6 +225,15 @@ void hold_feet(const LegPaths& paths, std::span<const PackedClip> clips, const F
                const RootFrame& root_delta, float dt, FootMemory& memory) noexcept {
     if (paths.count == 0) return;
     const bool changed = !is_same(memory, blend);
+    const auto rests = [&]() noexcept {
+        return !is_held(memory.hold) && memory.drift == std::array<FootMemory::Drift, 2>{};
+    };
+    const auto see_phase = [&]() noexcept {
+        memory.phase_rate = blend.phase_rate;
+        memory.phase_before = blend.phase_before;
+        memory.cycle_before = blend.cycle_before;
+    };
+    if (!changed && rests()) return see_phase();
     const float stepping = changed || is_held(memory.hold) ? stepping_share(clips, blend.leaves) : 0;
     const float stepped = changed ? stepping_share(clips, std::span(memory.leaf).first(memory.count)) : stepping;
     const bool stops = stepping == 0 || (stepping < k_stopping && stepping < stepped);
@@ -227,19 +241,20 @@ void hold_feet(const LegPaths& paths, std::span<const PackedClip> clips, const F
     const float foresight =
         stepping < stepped ? std::min(k_foresight, dt * stepping / (stepped - stepping)) : k_foresight;
     const std::array<FootOffset, 2> held = memory.hold;
-    if (changed && memory.count > 0) take_up_change(paths, clips, blend, memory);
+    BlendedFeet feet(paths, blend);
+    const bool known = feet.gather(clips);
+    if (known && changed && memory.count > 0) take_up_change(paths, clips, blend, feet, memory);
     if (changed) remember(blend, memory);
-    memory.phase_rate = blend.phase_rate;
-    memory.phase_before = blend.phase_before;
-    memory.cycle_before = blend.cycle_before;
-    if (!is_held(memory.hold) && memory.drift == std::array<FootMemory::Drift, 2>{}) return;
+    see_phase();
+    if (rests()) return;
     const Quat back = from_yaw(-root_delta.yaw);
     for (std::size_t side = 0; side < 2; ++side) {
         see_drift(held[side], memory.hold[side], dt, memory.drift[side]);
         turn_with_root(back, memory.drift[side].x, memory.drift[side].z);
         turn_with_root(back, memory.hold[side].x, memory.hold[side].z);
     }
-    const std::array<bool, 2> swings = let_swings_go(paths, clips, blend, foresight, dt, memory);
+    const std::array<bool, 2> swings =
+        known ? let_swings_go(blend, feet, foresight, dt, memory) : std::array<bool, 2>{};
     settle(paths, {stops && !swings[1], stops && !swings[0]}, dt, memory);
 }
 
