@@ -81,9 +81,11 @@ struct Actors {
 
     struct Wants {
         bool locals = false, matrices = false, feet = false;
+        bool steers = false;  ///< all the time; else each keeps its own wish
     };
+    bool steers;
     Actors(const LocomotionGraph& graph_, std::size_t count, Wants wants)
-        : graph(graph_), states(count), wishes(count), roots(count), scratch(graph) {
+        : graph(graph_), states(count), wishes(count), roots(count), scratch(graph), steers(wants.steers) {
         const std::size_t joints = graph.skeleton->rest.size();
         if (wants.locals) locals.resize(count * joints);
         if (wants.matrices) matrices.resize(count * joints);
@@ -96,7 +98,7 @@ struct Actors {
     }
     void step() {
         for (std::size_t c = 0; c < wishes.size(); ++c) {
-            wishes[c] = wish(c, frame);
+            wishes[c] = wish(c, steers ? frame : 0);
             keep_on_hills(roots[c].position);
         }
         Crowd crowd{states, wishes, roots};
@@ -122,14 +124,16 @@ struct Hero {
     std::unique_ptr<Walker> walker;
     std::unique_ptr<PlacedWalker> placed;
     int frame = 0;
+    bool steers;
 
-    explicit Hero(const Character& character) : walker(make_character_walker(character)) {
+    Hero(const Character& character, bool steers_) : walker(make_character_walker(character)), steers(steers_) {
         placed = std::make_unique<PlacedWalker>(*walker, hills);
         placed->start(1.4f);
     }
     void step() {
         constexpr int k_lap = 60 * 60;  // the hills end
         if (++frame % k_lap == 0) placed->start(1.4f);
+        if (steers) walker->steer(wish(0, static_cast<std::uint32_t>(frame)));
         placed->advance(k_dt);
     }
 };
@@ -151,6 +155,7 @@ std::vector<Row> measured(const Character& character, const Options& options) {
     };
     constexpr std::size_t k_stage_crowd = 104;
     crowd("update alone", k_stage_crowd, {});
+    crowd("update alone, steering", k_stage_crowd, {.steers = true});
     crowd("update and pose", k_stage_crowd, {.locals = true});
     for (const std::size_t count : options.crowds)
         crowd(fmt::format("update, pose, matrices: crowd of {}", count), count, {.matrices = true});
@@ -158,9 +163,17 @@ std::vector<Row> measured(const Character& character, const Options& options) {
         for (const std::size_t count : options.crowds)
             crowd(fmt::format("the same with feet on hills: crowd of {}", count), count,
                   {.matrices = true, .feet = true});
-    if (character.legs.known()) {
-        auto hero = std::make_shared<Hero>(character);
-        rows.push_back({"one with its feet on hills, looking ahead", 1, [hero] { hero->step(); }, {}});
+    if (character.legs.known())
+        for (const std::size_t count : options.crowds)
+            crowd(fmt::format("and steering: crowd of {}", count), count,
+                  {.matrices = true, .feet = true, .steers = true});
+    for (const bool steers : {false, true}) {
+        if (!character.legs.known()) continue;
+        auto hero = std::make_shared<Hero>(character, steers);
+        rows.push_back({steers ? "the same, steering" : "one with its feet on hills, looking ahead",
+                        1,
+                        [hero] { hero->step(); },
+                        {}});
     }
     rows.push_back({k_multiply_adds, 1, multiply_add, {}});
     auto bytes = std::make_shared<std::vector<float>>(8'000'000);
