@@ -142,9 +142,10 @@ std::span<const std::byte> bytes_of(int array) {
     }
 }
 
-/// Another character, or after an error the one that was there.
-std::string put_on_stage(surefoot::Character character, std::vector<std::byte> bytes = {}) {
+/// Another character, or after an error the one that was there. `goes_on`: from where that one is.
+std::string put_on_stage(surefoot::Character character, std::vector<std::byte> bytes = {}, bool goes_on = false) {
     auto stage = std::make_unique<surefoot::wasm::Stage>(std::move(character), std::move(bytes));
+    if (goes_on && g_stage) stage->go_on_from(*g_stage);
     g_gait.reset();
     g_crowd.reset();
     g_stage = std::move(stage);  // before what its guest plays goes
@@ -251,13 +252,14 @@ SUREFOOT_EXPORT(sf_open_default) int sf_open_default() {
     return guarded([] { return put_on_stage(surefoot::wasm::default_character()); });
 }
 
-/// The same with the character of a pack. After an error the stage is as it was.
+/// The same with the character of a pack, who goes on from where the one before is. After an error the stage is as it
+/// was.
 SUREFOOT_EXPORT(sf_open_pack) int sf_open_pack(const char* bytes, std::size_t size) {
     return guarded([&] {
         const std::span<const std::byte> given{reinterpret_cast<const std::byte*>(bytes), size};
         std::vector<std::byte> own(given.begin(), given.end());
         surefoot::Character character = surefoot::wasm::packed_character(own);
-        return put_on_stage(std::move(character), std::move(own));
+        return put_on_stage(std::move(character), std::move(own), true);
     });
 }
 

@@ -280,10 +280,7 @@ bool Stage::is_off_course() const noexcept {
 void Stage::set_mode(FootMode mode) noexcept {
     if (mode == mode_) return;
     mode_ = mode;
-    if (guest_) return;
-    placed_->set_mode(mode);
-    rolling_.clear();
-    parts_done_ = 0;
+    if (!guest_) placed_->set_mode(mode);
 }
 
 void Stage::steer(float speed, float lateral, float turn) noexcept {
@@ -301,12 +298,32 @@ void Stage::patrol(float speed) noexcept {
 
 void Stage::restart() {
     patrol_ = Patrol(course_.length);
-    placed_->start(patrols_ ? patrol_speed_ : asked_.speed);
-    rolling_.clear();
     time_ = 0;
-    parts_done_ = 0;
     speed_ = patrols_ ? patrol_speed_ : asked_.speed;
     turn_ = 0;
+    placed_->start(speed_);
+    begin();
+}
+
+void Stage::go_on_from(const Stage& before) {
+    mode_ = before.mode_;
+    patrols_ = before.patrols_;
+    patrol_speed_ = before.patrol_speed_;
+    set_course(before.course_.name, before.grade_);
+    if (before.guest_) return;  // it went its own way
+    patrol_ = before.patrol_;
+    time_ = before.time_;
+    speed_ = before.speed_;
+    placed_->start(speed_);
+    walker_->put(before.placed_->root());
+    placed_->take_up();
+    begin();
+}
+
+/// Figures from here on.
+void Stage::begin() {
+    rolling_.clear();
+    parts_done_ = 0;
     rolling_.add(*placed_, body_.legs);
     write_frame();
 }
@@ -323,7 +340,8 @@ void Stage::advance(int frames, int parts) {
         speed_ = planar_length(step.position) / dt;
         turn_ = step.yaw / dt / k_radians_per_degree;
         time_ += static_cast<double>(dt);
-        // Figures are for frames of 1/60 s, whatever time is shown in between.
+        // Figures are for frames of 1/60 s, whatever time is shown in between, and of one mode.
+        if (placed_->changes_mode()) rolling_.clear();
         if (++parts_done_ >= parts) {
             rolling_.add(*placed_, body_.legs);
             parts_done_ = 0;

@@ -45,6 +45,8 @@ class Stage {
     void steer_to(const std::string& space, std::span<const float> at);
     void patrol(float speed) noexcept;
     void restart();
+    /// Where another one was, on the same course and asked for the same: who takes its place.
+    void go_on_from(const Stage& before);
     /// From now on this body goes in this cycle instead: on a plane that rises by `rise` a metre along +Z, feet not
     /// placed, steered by nobody. Further calls change cycle, body and plane on the way. True where it is another body,
     /// and with it the mesh and what lies where in a frame. Throws Error for what is no cycle.
@@ -78,6 +80,7 @@ class Stage {
     void bind_mesh();
     void put_on_stage(std::shared_ptr<Walker> guest, std::function<LocomotionRequest()> asks);
     void put_on_course();
+    void begin();
     FootSettings placement() const noexcept;
     void tilt_floor(float rise);
     bool is_off_course() const noexcept;

@@ -443,7 +443,7 @@ export interface Surefoot {
     low: number[],
     high: number[],
   ): { weights(point: number[]): { sample: number; weight: number }[] };
-  /** Who is on the stage: the character of the bundled gaits, or that of a pack. */
+  /** Who is on the stage: the character of the bundled gaits, or that of a pack, who goes on from where the one before is. */
   openDefault(): CharacterFacts;
   openPack(bytes: Uint8Array): CharacterFacts;
   setCourse(name: string, gradeDeg: number): void;

@@ -63,6 +63,12 @@ class CharacterWalker final : public Walker {
         steering_.take_over(asked.turn);
         ask();
     }
+    void put(const RootFrame& root) noexcept override {
+        now_.root = root;
+        now_.root.position.y = 0;
+        requested_ = now_.root;
+        foresight_.begin(now_);
+    }
     RootFrame requested() const noexcept override { return requested_; }
     bool has_host() const noexcept override { return steering_.has_host(); }
     std::span<const Leaf> playing() const noexcept override { return plays_.leaves(); }

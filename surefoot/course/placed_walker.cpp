@@ -1,8 +1,6 @@
 #include <surefoot/course/placed_walker.h>
 #include <surefoot/ground/shapes.h>
 
-#include <utility>
-
 namespace surefoot {
 namespace {
 
@@ -92,7 +90,8 @@ PlacedWalker::PlacedWalker(Walker& walker, const Ground& ground, const FootSetti
       rig_(make_foot_rig(*walker.skeleton(), walker.legs(), walker.standing(), settings)),
       preview_(std::make_unique<Preview>(walker, rig_)),
       locals_(static_cast<std::size_t>(walker.skeleton()->joint_count())),
-      models_(locals_.size()) {}
+      models_(locals_.size()),
+      mode_(settings.mode) {}
 
 PlacedWalker::~PlacedWalker() = default;
 
@@ -105,7 +104,8 @@ void PlacedWalker::start(float speed_mps, float speed_limit) {
 void PlacedWalker::take_up(float speed_limit) {
     state_ = {};
     output_ = {};
-    forget_ = false;
+    rig_.settings.mode = mode_;
+    takes_hold_ = false;
     place(0, speed_limit);
 }
 
@@ -114,23 +114,28 @@ void PlacedWalker::advance(float dt, float speed_limit) noexcept {
     place(dt, speed_limit);
 }
 
-void PlacedWalker::set_mode(FootMode mode) noexcept {
-    if (rig_.settings.mode == mode) return;
-    rig_.settings.mode = mode;
-    output_ = {};
-    forget_ = true;
+/// To another mode goes who has let go: nothing is placed, as without placement.
+void PlacedWalker::approach_mode() noexcept {
+    const float weight = rig_.settings.mode == FootMode::none ? 0 : state_.weight.value;
+    if (rig_.settings.mode != mode_ && weight == 0) {
+        rig_.settings.mode = mode_;
+        state_ = {};
+        if (mode_ != FootMode::none) state_.weight = {0, 0};
+        takes_hold_ = mode_ != FootMode::none;
+    }
+    takes_hold_ = takes_hold_ && state_.weight.value < walker_.feet();
 }
 
 void PlacedWalker::place(float dt, float speed_limit) noexcept {
+    approach_mode();
     walker_.look(0, root_, locals_);
     root_.position.y = height_at(ground_, root_.position.x, root_.position.z);
     clean_models(walker_, rig_, locals_, models_);
     FootInput input;
     input.dt = dt;
     input.root = root_;
-    input.weight = walker_.feet();
+    input.weight = rig_.settings.mode == mode_ ? walker_.feet() : 0;
     input.legs = read_legs(rig_, models_);
-    input.teleport = std::exchange(forget_, false);
     place_feet(rig_, state_, input, ground_, preview_.get(), output_);
     apply(rig_, output_, models_, locals_);
     limit_ = speed_limit == k_own_limit ? output_.speed_limit : speed_limit;

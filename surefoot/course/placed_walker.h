@@ -27,8 +27,11 @@ class PlacedWalker {
     void take_up(float speed_limit = k_own_limit);
     /// `dt` > 0 seconds on.
     void advance(float dt, float speed_limit = k_own_limit) noexcept;
-    /// Another way to place feet from the next step on; what was planned is forgotten.
-    void set_mode(FootMode mode) noexcept;
+    /// Another way to place feet: they let go in the old one, then take hold in the new one, within a second and
+    /// without a jump.
+    void set_mode(FootMode mode) noexcept { mode_ = mode; }
+    /// On the way from one mode to another.
+    bool changes_mode() const noexcept { return rig_.settings.mode != mode_ || takes_hold_; }
 
     const Skeleton& skeleton() const noexcept { return *walker_.skeleton(); }
     const FootRig& rig() const noexcept { return rig_; }
@@ -41,6 +44,7 @@ class PlacedWalker {
 
   private:
     class Preview;
+    void approach_mode() noexcept;
     void place(float dt, float speed_limit) noexcept;
 
     Walker& walker_;
@@ -52,7 +56,8 @@ class PlacedWalker {
     RootFrame root_;
     std::vector<Transform> locals_, models_;
     float limit_ = k_no_speed_limit;
-    bool forget_ = false;
+    FootMode mode_;  ///< that is wanted
+    bool takes_hold_ = false;
 };
 
 }  // namespace surefoot

@@ -41,6 +41,8 @@ class Walker {
     virtual void steer(const LocomotionRequest& /*asked*/) noexcept {}
     /// From now on it goes no faster, whatever is asked for [m/s]. What cannot be steered does not heed it.
     virtual void limit_speed(float /*mps*/) noexcept {}
+    /// From now on it is here, on its way as before. What cannot be steered does not heed it.
+    virtual void put(const RootFrame& /*root*/) noexcept {}
     /// It stands on this now (GroundHit::surface).
     virtual void stand_on(std::uint32_t /*surface*/) noexcept {}
     /// Where the root would be had it obeyed exactly.

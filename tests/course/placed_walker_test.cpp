@@ -108,20 +108,60 @@ TEST(PlacedWalker, who_steers_is_obeyed) {
     EXPECT_NEAR(step.yaw / k_dt * k_degrees_per_radian, 15, 1);
 }
 
-TEST(PlacedWalker, another_mode_begins_with_the_next_step) {
-    const Course course = make_course("slope_up", 15);
+/// The farthest that an ankle goes from one frame to the next [m], over so many.
+float longest_ankle_step(PlacedWalker& placed, const Legs& legs, int frames) {
+    std::vector<Transform> models(placed.locals().size());
+    const auto ankles = [&] {
+        local_to_model(placed.skeleton(), placed.locals(), models);
+        std::array<Vec3, 2> at;
+        for (std::size_t side = 0; side < 2; ++side)
+            at[side] =
+                (to_transform(placed.root()) * models[static_cast<std::size_t>(legs.side[side].foot)]).translation;
+        return at;
+    };
+    float longest = 0;
+    for (std::array<Vec3, 2> before = ankles(); frames > 0; --frames) {
+        placed.advance(k_dt);
+        const std::array<Vec3, 2> now = ankles();
+        for (std::size_t side = 0; side < 2; ++side) longest = std::max(longest, length(now[side] - before[side]));
+        before = now;
+    }
+    return longest;
+}
+
+TEST(PlacedWalker, another_mode_is_there_within_a_second_and_no_foot_jumps) {
+    const Course course = make_course("stairs_up");
     const auto walker = generated_walker();
     PlacedWalker placed(*walker, *course.ground);
     placed.start(1.2f);
-    for (int f = 0; f < 300; ++f) placed.advance(k_dt);
-    EXPECT_TRUE(placed.feet().moves_legs);
-    placed.set_mode(FootMode::none);
-    placed.advance(k_dt);
-    EXPECT_FALSE(placed.feet().moves_legs);
-    EXPECT_FALSE(placed.feet().planted[0] && placed.feet().planted[1] && placed.feet().hips_offset != 0);
-    placed.set_mode(FootMode::colvin2013);
-    placed.advance(k_dt);
-    EXPECT_TRUE(placed.feet().moves_legs);
+    const float own = longest_ankle_step(placed, walker->legs(), 300);
+    // At all moments of a cycle, or nearly.
+    for (int moment = 0; moment < 8; ++moment)
+        for (const FootMode mode : {FootMode::none, FootMode::colvin2013, FootMode::surefoot}) {
+            placed.set_mode(mode);
+            EXPECT_TRUE(placed.changes_mode());
+            EXPECT_LT(longest_ankle_step(placed, walker->legs(), 60), 1.15f * own)
+                << "to mode " << static_cast<int>(mode) << ", " << moment;
+            EXPECT_FALSE(placed.changes_mode());
+            EXPECT_EQ(placed.feet().moves_legs, mode != FootMode::none);
+            placed.advance(7 * k_dt);
+        }
+}
+
+TEST(PlacedWalker, who_is_put_elsewhere_goes_on_from_there) {
+    const Plane flat;
+    const auto walker = make_character_walker(character());
+    PlacedWalker placed(*walker, flat);
+    placed.start(1.4f);
+    for (int f = 0; f < 60; ++f) placed.advance(k_dt);
+    const RootFrame there{{3, 0, -2}, 1};
+    walker->put(there);
+    placed.take_up();
+    EXPECT_EQ(placed.root(), there);
+    for (int f = 0; f < 60; ++f) placed.advance(k_dt);
+    const RootFrame gone = between(there, placed.root());
+    EXPECT_NEAR(gone.position.z, 1.4f, 0.1f);
+    EXPECT_NEAR(gone.position.x, 0, 0.1f);
 }
 
 TEST(Patrol, goes_up_and_down_the_middle_of_the_course) {

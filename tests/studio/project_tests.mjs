@@ -162,10 +162,12 @@ await test('a finding is mended at a click as surefoot fix does it; undo, redo a
     await page.getByLabel('Sideways').check();
     const lacking = page.locator('.findings button', { hasText: 'Missing axis end' });
     await lacking.click();
+    const walked = await state(page);
     await page.getByRole('button', { name: 'Mend it' }).click();
     await page.locator('.rows').getByText('made by mirroring "strafe_right"').waitFor();
     await idle(page);
     assert.equal(await lacking.count(), 0, 'the finding is gone');
+    assert.ok((await state(page)).time >= walked.time, 'it goes on from where it was');
     await page.locator('.map .samples text', { hasText: 'strafe left' }).waitFor();
     const mended = await findings();
     // What no clip at hand can give stays, with the reason.

@@ -154,7 +154,7 @@ async function enter(where: Workspace): Promise<void> {
   if (where === 'graph') return graph.loadGraph();
   if (where === 'space') {
     // Shown on flat ground, where the puck alone says how it goes.
-    await session.showCourse('flat', gradeDeg.value);
+    if (session.shownCourse() !== 'flat') await session.showCourse('flat', gradeDeg.value);
     void bench.openDefaultBench(); // which takes its time
     return;
   }

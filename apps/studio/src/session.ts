@@ -90,18 +90,19 @@ function beginWalk(): void {
 /** Changes with every character that is opened. */
 export const opened = signal(0);
 
-const open = (load: () => Promise<Shown>, on: () => string = () => course.value) =>
+/** `goesOn`: on the ground that is shown, from where the one before is. */
+const open = (load: () => Promise<Shown>, goesOn: () => boolean) =>
   onStage(async () => {
-    const character = await load(), { courses } = character.facts;
-    if (!courses.includes(course.value)) course.value = 'hills';
+    const character = await load();
+    if (!character.facts.courses.includes(course.value)) course.value = 'hills';
     await engine.call('setMode', mode.value);
-    const name = courses.includes(on()) ? on() : course.value;
-    const ground = await engine.call('setCourse', name, gradeDeg.value);
+    const name = goesOn() ? shown : course.value;
+    const ground = goesOn() ? null : await engine.call('setCourse', name, gradeDeg.value);
     await reveal(() => {
       shown = name;
       facts.value = character.facts;
       mesh.value = character.mesh;
-      terrain.value = ground;
+      if (ground) terrain.value = ground;
       beginWalk();
       opened.value++;
     });
@@ -122,9 +123,9 @@ export const changeBody = <Result>(change: () => Promise<Result>, shownBy: (resu
 /** It goes by its own clips again, on its own body. */
 export const stopGuests = () => changeBody(() => engine.call('gaitStop'), (shown) => shown);
 
-export const openDefault = () => open(() => engine.call('openDefault'));
-/** Who is to be on the stage from now on, on the course that is shown. */
-export const openPack = (bytes: Uint8Array) => open(() => engine.call('openPack', bytes), () => shown);
+export const openDefault = () => open(() => engine.call('openDefault'), () => false);
+/** Who is to be on the stage from now on, in the place of who is there. */
+export const openPack = (bytes: Uint8Array) => open(() => engine.call('openPack', bytes), () => shown !== '');
 
 /** Kept at once, so that a reload finds it, and taken back where it cannot be walked. */
 export async function setCourse(name: string, grade: number): Promise<void> {
