@@ -65,6 +65,8 @@ class Clearance {
     };
     Trial choose_shifts() noexcept;
     Trial try_shift(std::size_t early, std::size_t late) noexcept;
+    template <class Up>
+    float bent(std::size_t early, std::size_t late, const Up& up) const noexcept;
     float need(int sample, std::size_t early, std::size_t late) noexcept;
     float needed(const LegPoints& points, const PlacedFoot& placed, float margin, float step) const noexcept;
 
@@ -131,6 +133,20 @@ float Clearance::need(int sample, std::size_t early, std::size_t late) noexcept 
     return need = needed(points_[at], placed, margin, step_[at]);
 }
 
+/// How bent a way is whose height bends by `up` at a sample.
+template <class Up>
+float Clearance::bent(std::size_t early, std::size_t late, const Up& up) const noexcept {
+    const Vec3 by_early = travel_ * k_early_shifts[early], by_late = travel_ * k_late_shifts[late];
+    const auto shift = [&](std::size_t i) noexcept { return bumps_[i].shift(by_early, by_late); };
+    float bent = 0;
+    for (std::size_t i = 2; i < k_hump_samples; ++i) {
+        const float rises = up(i);
+        const Vec3 level = shift(i - 1) - 2.0f * shift(i) + shift(i + 1);
+        bent += rises * rises + dot(level, level);
+    }
+    return bent;
+}
+
 Clearance::Trial Clearance::try_shift(std::size_t early, std::size_t late) noexcept {
     Trial trial{early, late, {}, 0, 0, 0};
     HumpTask task;
@@ -151,13 +167,8 @@ Clearance::Trial Clearance::try_shift(std::size_t early, std::size_t late) noexc
     trial.overshoot = highest - std::max({trial.highest_need, start_value_, 0.0f});
 
     const auto height = [&](std::size_t i) { return task.base[i] + hump[i - 1]; };
-    const Vec3 by_early = travel_ * k_early_shifts[early], by_late = travel_ * k_late_shifts[late];
-    const auto shift = [&](std::size_t i) { return bumps_[i].shift(by_early, by_late); };
-    for (std::size_t i = 2; i < k_hump_samples; ++i) {
-        const float up = height(i - 1) - 2 * height(i) + height(i + 1);
-        const Vec3 level = shift(i - 1) - 2.0f * shift(i) + shift(i + 1);
-        trial.bent += up * up + dot(level, level);
-    }
+    trial.bent =
+        bent(early, late, [&](std::size_t i) noexcept { return height(i - 1) - 2 * height(i) + height(i + 1); });
     return trial;
 }
 
@@ -168,6 +179,7 @@ Clearance::Trial Clearance::choose_shifts() noexcept {
     for (std::size_t early = 0; early < k_early_shifts.size(); ++early)
         for (std::size_t late = 0; late < k_late_shifts.size(); ++late) {
             if (early == k_no_early && late == k_no_late) continue;
+            if (bent(early, late, [](std::size_t) noexcept { return 0.0f; }) >= least) continue;  // whatever the ground
             const Trial trial = try_shift(early, late);
             if (trial.bent < least) least = trial.bent, best = trial;
         }
