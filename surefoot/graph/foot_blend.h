@@ -49,6 +49,9 @@ struct FootGoal {
 /// be: the lower of the two is what stands on the ground.
 Transform stand_on(const LegPaths::Side& leg, Quat rotation, Vec3 heel, Vec3 ball) noexcept;
 
+/// [m] How high a flat foot is at `done` [0, 1] of a step that no clip takes.
+float step_height(const LegPaths::Side& leg, float done) noexcept;
+
 /// Solves both legs of a local pose for their feet; the rest of the pose stays. Nothing changes where `paths` is empty.
 /// What a leg cannot reach is pulled in softly (ik/two_bone.h).
 void reach_feet(const LegPaths& paths, const std::array<FootGoal, 2>& feet, std::span<Transform> locals) noexcept;

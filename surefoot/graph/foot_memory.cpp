@@ -119,10 +119,10 @@ void see_drift(const FootOffset& before, const FootOffset& after, float dt, Foot
 /// Share of a swing's hold that is left when `done` of the swing has passed.
 float left_of(float done) noexcept { return 1 - smooth_step(done); }
 
-/// To where the blend will have it once it stands, if changes go on for `foresight` seconds.
+/// A hold goes to where the blend will have the foot once it stands, if changes go on for `foresight` seconds.
 void let_go(const FootMemory::Drift& drift, float foresight, float share, float dt, FootOffset& hold) noexcept {
     const float to_x = drift.x * foresight, to_z = drift.z * foresight;
-    const float x = hold.x - to_x, z = hold.z - to_z, offset = std::sqrt(x * x + z * z), twist = std::fabs(hold.yaw);
+    const float x = hold.x - to_x, z = hold.z - to_z, offset = planar_length({x, 0, z}), twist = std::fabs(hold.yaw);
     const float least = offset > 0 ? 1 - k_fastest_return * dt / offset : 0,
                 least_twist = twist > 0 ? 1 - k_fastest_untwist * dt / twist : 0;
     const float kept = std::max(share, least), kept_twist = std::max(share, least_twist);
@@ -150,7 +150,7 @@ std::array<bool, 2> let_swings_go(const FootBlend& blend, BlendedFeet& feet, flo
 
 /// How far a foot is from where the blend has it, in soles' lengths.
 float astray(const LegPaths::Side& leg, const FootOffset& hold) noexcept {
-    const float offset = std::sqrt(hold.x * hold.x + hold.z * hold.z) / length(leg.ball - leg.heel);
+    const float offset = planar_length({hold.x, 0, hold.z}) / length(leg.ball - leg.heel);
     return offset + k_twist_as_offset * std::fabs(hold.yaw);
 }
 

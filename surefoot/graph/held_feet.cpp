@@ -7,7 +7,6 @@
 namespace surefoot {
 namespace {
 
-constexpr float k_step_height = 0.3f;     // of the sole's length
 constexpr float k_rise_from = 0.99f;      // of a leg's length: knees of 164 degrees
 constexpr float k_longest_leg = 0.9985f;  // of its length: knees of 174 degrees
 constexpr float k_most_rise = 60 * k_radians_per_degree;
@@ -27,11 +26,15 @@ float rise_angle(Vec3 ankle, Vec3 hip, Vec3 along, float aside, float reach) noe
 
 }  // namespace
 
+float step_height(const LegPaths::Side& leg, float done) noexcept {
+    constexpr float k_of_sole = 0.3f;
+    const float bump = 4 * done * (1 - done);
+    return bump * bump * k_of_sole * length(leg.ball - leg.heel);
+}
+
 void hold_at(const LegPaths::Side& leg, const FootOffset& hold, FootGoal& goal) noexcept {
     if (hold == FootOffset{}) return;
-    const float bump = 4 * hold.step * (1 - hold.step),
-                lift = bump * bump * k_step_height * length(leg.ball - leg.heel);
-    goal.foot.translation += Vec3{hold.x, lift, hold.z};
+    goal.foot.translation += Vec3{hold.x, step_height(leg, hold.step), hold.z};
     goal.foot.rotation = from_yaw(hold.yaw) * goal.foot.rotation;
 }
 

@@ -68,10 +68,6 @@ Vec3 between(Vec3 a, Vec3 b, Vec3 c, Vec3 d, float t) noexcept {
     return b * (2 * t3 - 3 * t2 + 1) + slope_b * (t3 - 2 * t2 + t) + c * (3 * t2 - 2 * t3) + slope_c * (t3 - t2);
 }
 
-}  // namespace
-
-namespace {
-
 /// Over flat ground.
 Transform world_of(const RootFrame& root) noexcept {
     return {from_yaw(root.yaw), {root.position.x, 0, root.position.z}};

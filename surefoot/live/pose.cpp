@@ -129,13 +129,6 @@ float flatness(const LiveFoot& foot, const Mixture& now, float swung) noexcept {
     return foot.flat * (1 - smooth_step(swung / k_over)) + now.standing * smooth_step((swung - 1) / k_over + 1);
 }
 
-/// [m] by which a flat foot is lifted on its way, so that it steps and does not slide.
-float step_height(const LegPaths::Side& leg, float flat, float swung) noexcept {
-    constexpr float k_of_sole = 0.3f;
-    const float bump = 4 * swung * (1 - swung);
-    return flat * bump * bump * k_of_sole * length(leg.ball - leg.heel);
-}
-
 /// Of its way, more than 1 once it is there. Who comes down flat arrives before: there is no heel to roll on.
 float way_share(float flat, float swung) noexcept {
     constexpr float k_sooner = 0.15f;
@@ -155,7 +148,8 @@ FootGoal goal_of(const LiveRig& rig, const LiveState& state, const Mixture& now,
     if (foot.swings)
         middle = middle * along_arc(between(middle, foot.plant * foot.coming), smooth_step(way_share(flat, swung)));
     Transform print = stand_on(rig.legs.side[side], blended.print.rotation, blended.print.heel, blended.print.ball);
-    if (foot.swings) print.translation.y += step_height(rig.legs.side[side], flat, swung);
+    // As far as it is kept flat it would slide.
+    if (foot.swings) print.translation.y += flat * step_height(rig.legs.side[side], swung);
     return {to_transform(middle) * print, blended.print.toes};
 }
 

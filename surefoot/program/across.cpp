@@ -85,6 +85,14 @@ void GraphStep::take_over_phase(GroupMemory& group) noexcept {
     }
 }
 
+/// What a node of a group plays; a clip by itself is written to `alone`.
+std::span<const Active> GraphStep::played_by(int i, Active& alone) noexcept {
+    const auto* clip = std::get_if<ClipNode>(&node(i).data);
+    if (clip == nullptr) return mix_at(i).all();
+    alone = {clip->clip, 1, packed(clip->clip).velocity, packed(clip->clip).turn_rate};
+    return {&alone, 1};
+}
+
 void GraphStep::run_groups(float dt, float left) noexcept {
     struct Pacing {
         SharedPace leading, following;
@@ -126,10 +134,8 @@ void GraphStep::run_groups(float dt, float left) noexcept {
             active.turn *= step.rate;
             pace.add(active, packed(active.clip), phase, cycle);
         };
-        if (const auto* clip = std::get_if<ClipNode>(&program_.nodes[i].data))
-            add({clip->clip, 1, packed(clip->clip).velocity, packed(clip->clip).turn_rate});
-        else
-            for (const Active& active : mix_at(static_cast<int>(i)).all()) add(active);
+        Active alone;
+        for (const Active& active : played_by(static_cast<int>(i), alone)) add(active);
     }
     for (std::size_t g = 0; g < program_.groups.size(); ++g) {
         GroupMemory& group = memory_of(g);

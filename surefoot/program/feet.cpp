@@ -40,6 +40,12 @@ struct Bearing {
     }
 };
 
+/// Of what is mirrored the feet are the other ones.
+bool bears(const PoseTask& task, int group) noexcept {
+    return task.kind == PoseTask::Kind::sample && task.steps && !task.turned && task.legs >= k_least_share &&
+           (task.group < 0 || task.group == group);
+}
+
 }  // namespace
 
 /// Who stood and begins to go does so with the foot that trails: a phase that nobody saw begins where that one lifts.
@@ -53,10 +59,8 @@ void GraphStep::step_off(int group) noexcept {
     for (int i = 0; i < static_cast<int>(program_.nodes.size()); ++i) {
         const NodeStep& step = at(i);
         if (!step.plays || step.turned || group_of(node(i).data) != group) continue;
-        const auto* clip = std::get_if<ClipNode>(&node(i).data);
         Active alone;
-        if (clip != nullptr) alone = {clip->clip, 1, packed(clip->clip).velocity, packed(clip->clip).turn_rate};
-        const std::span<const Active> active = clip != nullptr ? std::span<const Active>(&alone, 1) : mix_at(i).all();
+        const std::span<const Active> active = played_by(i, alone);
         std::array<Leaf, k_max_locomotion_leaves> leaf;
         const int count = make_leaves(program_.body.clips, active, 0, phase.phase, phase.cycle, leaf);
         if (!bearing.add(std::span(leaf).first(static_cast<std::size_t>(count)), step.weight)) return;
@@ -82,9 +86,9 @@ void GraphStep::share_legs() noexcept {
         float above = 0;
         switch (task.kind) {
             case PoseTask::Kind::sample:
-            case PoseTask::Kind::gait:
                 task.legs = to.legs;
-                [[fallthrough]];
+                continue;
+            case PoseTask::Kind::gait:
             case PoseTask::Kind::mirror:
                 continue;
             case PoseTask::Kind::blend:
@@ -101,12 +105,6 @@ void GraphStep::share_legs() noexcept {
         on_stack(task.to + 1).legs = to.legs * above;
         to.legs *= 1 - above;
     }
-}
-
-/// Of what is mirrored the feet are the other ones.
-bool GraphStep::bears(const PoseTask& task, int group) noexcept {
-    return task.kind == PoseTask::Kind::sample && task.steps && !task.turned && task.legs >= k_least_share &&
-           (task.group < 0 || task.group == group);
 }
 
 /// The group that carries the character: the one that did, as long as it does. -1: none does.

@@ -86,6 +86,7 @@ class GraphStep {
     void run_leaves(const GraphInput& input, float dt, float left) noexcept;
     void run_clip(int i, const ClipNode& clip, const GraphInput& input, float dt, float left) noexcept;
     void run_gait(int i, const GaitNode& gait, float dt) noexcept;
+    std::span<const Active> played_by(int i, Active& alone) noexcept;
     void fire(const std::vector<EventMark>& marks, float from, float to, bool with_from, int owner, float weight,
               float left, float per_second) noexcept;
     void sort_events(std::size_t first) noexcept;
@@ -93,7 +94,6 @@ class GraphStep {
     // feet.cpp
     void step_off(int group) noexcept;
     void share_legs() noexcept;
-    bool bears(const PoseTask& task, int group) noexcept;
     int bearing_group(int before) noexcept;
     void hold_feet(const RootFrame& moved, float dt) noexcept;
 

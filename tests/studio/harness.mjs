@@ -138,6 +138,12 @@ export const filesIn = (folder) =>
       .map((file) => [path.relative(folder, file).replaceAll(path.sep, '/'), createHash('sha256').update(readFileSync(file)).digest('hex')]),
   );
 export const idle = (page) => page.waitForFunction(() => !globalThis.studio.bench.busy.value);
+/** Where there is one thing to mend. */
+export async function mendAll(page) {
+  await page.getByRole('button', { name: 'Mend all' }).click();
+  await page.waitForFunction(() => globalThis.studio.bench.project.value.repairs.length === 1);
+  await idle(page);
+}
 /** Until a project is on the stage, on the bench, and the workspace has taken it. */
 export async function untilOpen(page, name) {
   await page.getByText(new RegExp(`^${name}, \\d+ clips?$`)).waitFor();

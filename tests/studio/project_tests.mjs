@@ -5,7 +5,7 @@ import { existsSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { untilItMoves } from './browser.mjs';
 import {
-  bench, comeToRest, dragIn, filesIn, filesOf, idle, lackingProject, nativeLint, openPage, program, realClips, scratch, site, startStudio, state, test, told, untilDrawn, untilKept, untilOpen, untilState,
+  bench, comeToRest, dragIn, filesIn, filesOf, idle, lackingProject, mendAll, nativeLint, openPage, program, realClips, scratch, site, startStudio, state, test, told, untilDrawn, untilKept, untilOpen, untilState,
 } from './harness.mjs';
 
 await test('blend space: the character goes as the puck says, and the weights are those of the place', async () => {
@@ -235,9 +235,7 @@ await test('without a server a mended project is downloaded, and opens again as 
   const { page, complaints } = await openPage(site.url, { settings: { workspace: 'space' } });
   await page.locator('input.folder').setInputFiles(project);
   await untilOpen(page, 'apart');
-  await page.getByRole('button', { name: 'Mend all' }).click();
-  await page.waitForFunction(() => globalThis.studio.bench.project.value.repairs.length === 1);
-  await idle(page);
+  await mendAll(page);
   const mended = told(await bench(page, 'findings'));
   const download = page.waitForEvent('download');
   await page.getByRole('button', { name: 'Download', exact: true }).click();
@@ -260,9 +258,7 @@ await test('unsaved work survives a reload, until it is dropped', async () => {
   await page.locator('input.folder').setInputFiles(project);
   await untilOpen(page, 'kept');
   const before = told(await bench(page, 'findings'));
-  await page.getByRole('button', { name: 'Mend all' }).click();
-  await page.waitForFunction(() => globalThis.studio.bench.project.value.repairs.length === 1);
-  await idle(page);
+  await mendAll(page);
   const mended = told(await bench(page, 'findings'));
   await untilKept(page);
   await page.reload();

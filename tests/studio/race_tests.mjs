@@ -5,7 +5,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { untilItMoves } from './browser.mjs';
 import {
-  bench, comeToRest, idle, lackingProject, openPage, program, scratch, site, startStudio, state, test, untilKept, untilOpen,
+  bench, comeToRest, lackingProject, mendAll, openPage, program, scratch, site, startStudio, state, test, untilKept, untilOpen,
 } from './harness.mjs';
 
 /** Answers of all engines to a call by this name wait, from now on, until `release`. */
@@ -111,8 +111,7 @@ await test('work that is dropped while it is being kept is not there again', asy
   const { page, complaints } = await openPage(site.url, { settings: { workspace: 'space' } });
   await page.locator('input.folder').setInputFiles(project);
   await untilOpen(page, 'dropped');
-  await page.getByRole('button', { name: 'Mend all' }).click();
-  await page.waitForFunction(() => globalThis.studio.bench.project.value.repairs.length === 1);
+  await mendAll(page);
   await untilKept(page);
   await page.reload();
   await untilOpen(page, 'dropped');
@@ -178,9 +177,7 @@ await test('unsaved work is there again though its project was written meanwhile
   try {
     const { page, complaints } = await openPage(studio.address, { settings: { workspace: 'space' } });
     await untilOpen(page, 'both');
-    await page.getByRole('button', { name: 'Mend all' }).click();
-    await page.waitForFunction(() => globalThis.studio.bench.project.value.repairs.length === 1);
-    await idle(page);
+    await mendAll(page);
     await untilKept(page);
     const file = path.join(project, 'project.json');
     writeFileSync(file, `${readFileSync(file, 'utf8')}\n`);

@@ -30,7 +30,6 @@ export const busy = computed(() => work.value !== null);
 let client: EngineClient | null = null;
 /** Of the project that is being opened. */
 let opening: EngineClient | null = null;
-let opened: Promise<unknown> = Promise.resolve();
 /** The spaces of who is on the stage. */
 let staged = '';
 /** What works on the project comes one after the other, and so does what puts another in its place. */
@@ -88,16 +87,10 @@ async function show(from: EngineClient, facts: BenchFacts): Promise<void> {
  * Another project: until it is there, the one that is here stays. False where somebody stopped it, or asked for another
  * one meanwhile: the last one that is asked for is the one that is opened.
  */
-export function open(title: string, load: (client: EngineClient) => Promise<BenchFacts>): Promise<boolean> {
+export async function open(title: string, load: (client: EngineClient) => Promise<BenchFacts>): Promise<boolean> {
   opening?.stop();
   const next = (opening = newClient());
   begin(title, () => next.stop());
-  const isOpen = opened.then(() => replaceBy(next, load));
-  opened = isOpen.catch(() => undefined);
-  return isOpen;
-}
-
-async function replaceBy(next: EngineClient, load: (client: EngineClient) => Promise<BenchFacts>): Promise<boolean> {
   try {
     await next.call('start');
     const facts = await load(next);
